@@ -1,0 +1,140 @@
+#pragma once
+// A case as plain data, SI units, every default filled in: what the parser hands to every other room.
+// Signs: stress positive in tension, water pressure positive in compression, up is +y (plane strain) or +z (3d).
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polder/math/table.hpp"
+
+namespace polder {
+
+using Point2 = std::array<double, 2>;  ///< m; (x, height)
+using Point3 = std::array<double, 3>;  ///< m; in plane strain the third is unused
+
+enum class SpaceKind { plane_strain, solid };
+enum class DragLaw { ergun, darcy, beetstra, gidaspow };
+enum class InitialStress { k0, gravity, none };
+
+/// A polygon in the section (x, height); in 3d extruded across y from `across[0]` to `across[1]`.
+struct Region {
+  std::vector<Point2> polygon;
+  std::array<double, 2> across{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+};
+
+struct WaterProperties {
+  double density = 1000;        ///< kg/m³
+  double bulk_modulus = 2.2e9;  ///< Pa
+  double viscosity = 1.0e-3;    ///< Pa s
+};
+
+struct MaterialInput {
+  std::string name;
+  std::string law;                     ///< name of a soil law (material/law.hpp)
+  std::vector<double> law_parameters;  ///< in the order of the law's parameter table, SI, defaults filled in
+  double grain_density = 2650;         ///< kg/m³
+  double porosity = 0.4;               ///< initial
+  double max_porosity = 0.5;           ///< loosest state: no contact between grains beyond it
+  double grain_diameter = 0;           ///< m; 0: not given (then permeability is)
+  DragLaw drag = DragLaw::ergun;
+  double ergun_a = 150, ergun_b = 1.75;
+  /// Hydraulic conductivity m/s (horizontal, vertical) at the initial porosity; absent: Kozeny–Carman from the grain
+  /// diameter. With a given one the dependence on porosity is Kozeny–Carman's, scaled.
+  std::optional<std::array<double, 2>> permeability;
+  bool fixed = false;  ///< rigid soil that does not move (a porous block)
+};
+
+struct SoilBody {
+  int material = 0;  ///< index into Model::materials
+  Region region;
+};
+
+/// Water outside the soil at the start; inside the soil the pores are filled below the water table.
+struct FreeWaterBody {
+  Region region;
+};
+
+enum class SoilCondition { none, roller, rough };
+enum class WaterCondition { closed, open, reservoir };
+enum class Side { left, right, base, top, front, back };
+
+/// What happens along a side of the model, along a grid-aligned line inside it, or in a region (reservoir).
+struct Boundary {
+  std::string name;
+  std::optional<Side> side;
+  std::vector<Point2> line;  ///< two points of a vertical or horizontal line; used where `side` is absent
+  /// `roller`: no normal displacement of the soil; `rough`: no displacement at all.
+  SoilCondition soil = SoilCondition::none;
+  WaterCondition water = WaterCondition::closed;
+  Region region;   ///< of a reservoir
+  Table head;      ///< m above datum y = 0, as a function of time (reservoir)
+};
+
+enum class StageStart { keep, ramp };
+
+/// A span of the run. Stages marked `initial` run before t = 0 and end with displacements, velocities and plastic
+/// strains set to zero.
+struct Stage {
+  std::string name;
+  double duration = 0;       ///< s
+  bool initial = false;
+  double ramp = 0;           ///< s; gravity rises linearly from 0 to its value over this time (0: full at once)
+  double damping = 0;        ///< 1/s, viscous damping of the soil's velocity
+  double local_damping = 0;  ///< Cundall's factor on the soil's out-of-balance force
+  bool hold_water = false;   ///< water is held horizontally (the papers' gravity phase)
+};
+
+enum class MonitorKind { point, section, surface, integral };
+struct Monitor {
+  std::string name;
+  MonitorKind kind = MonitorKind::point;
+  std::string quantity;
+  std::vector<Point3> at;
+  bool follows_soil = true;
+};
+
+struct Output {
+  double history_interval = 0.1;     ///< s, rows of history.csv
+  double snapshot_interval = 1;      ///< s, points.pvd
+  std::vector<double> pictures;      ///< s, instants of the PNG pictures (and of extra snapshots)
+  double checkpoint_interval = 300;  ///< s of wall time
+};
+
+/// Choices of the method; the defaults are those that docs/theory.md argues for.
+struct Numerics {
+  double cfl = 0.8;                  ///< of the drained P-wave and of the fastest point
+  double pressure_tolerance = 1e-6;  ///< relative residual of the pressure solve
+  double fbar = 0.5;                 ///< share of the cell's mean in a soil point's volume change
+  double wet_threshold = 0.5;        ///< fill above which a cell is wet
+  double volume_correction = 0.3;    ///< share of the fill error removed in a step
+  bool split_water = true;
+  double max_step = std::numeric_limits<double>::infinity();  ///< s
+  unsigned long long seed = 1;
+  double jitter = 0;  ///< seeding jitter as a share of the points' spacing
+};
+
+struct Model {
+  std::string name, title;
+  std::string file;  ///< where it was read from
+  SpaceKind space = SpaceKind::plane_strain;
+  std::array<double, 3> size{0, 0, 0};  ///< m; x, height (2d) or x, y, height (3d)
+  std::array<double, 3> cell{0, 0, 0};  ///< m, spacing per axis
+  double gravity = 9.81;                ///< m/s²
+  int points_per_axis = 2;              ///< soil and water points per cell and axis at the start
+  WaterProperties water;
+  std::vector<MaterialInput> materials;
+  std::vector<SoilBody> soils;
+  std::vector<FreeWaterBody> free_water;
+  std::vector<Point2> water_table;  ///< polyline (x, height); soil below it starts saturated; empty: all soil dry
+  InitialStress initial_stress = InitialStress::k0;
+  std::optional<double> k0;         ///< absent: 1 − sin φ' (Jaky) where the law has an angle, else ν/(1 − ν)
+  std::vector<Boundary> boundaries;
+  std::vector<Stage> stages;
+  std::vector<Monitor> monitors;
+  Output output;
+  Numerics numerics;
+};
+
+}  // namespace polder
