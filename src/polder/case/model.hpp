@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "polder/material/drag.hpp"
 #include "polder/math/table.hpp"
 
 namespace polder {
@@ -15,7 +16,6 @@ using Point2 = std::array<double, 2>;  ///< m; (x, height)
 using Point3 = std::array<double, 3>;  ///< m; in plane strain the third is unused
 
 enum class SpaceKind { plane_strain, solid };
-enum class DragLaw { ergun, darcy, beetstra, gidaspow };
 enum class InitialStress { k0, gravity, none };
 
 /// A polygon in the section (x, height); in 3d extruded across y from `across[0]` to `across[1]`.
@@ -68,8 +68,8 @@ struct Boundary {
   /// `roller`: no normal displacement of the soil; `rough`: no displacement at all.
   SoilCondition soil = SoilCondition::none;
   WaterCondition water = WaterCondition::closed;
-  Region region;   ///< of a reservoir
-  Table head;      ///< m above datum y = 0, as a function of time (reservoir)
+  Region region;  ///< of a reservoir
+  Table head;     ///< m above datum y = 0, as a function of time (reservoir)
 };
 
 enum class StageStart { keep, ramp };
@@ -78,7 +78,7 @@ enum class StageStart { keep, ramp };
 /// strains set to zero.
 struct Stage {
   std::string name;
-  double duration = 0;       ///< s
+  double duration = 0;  ///< s
   bool initial = false;
   double ramp = 0;           ///< s; gravity rises linearly from 0 to its value over this time (0: full at once)
   double damping = 0;        ///< 1/s, viscous damping of the soil's velocity
@@ -129,7 +129,7 @@ struct Model {
   std::vector<FreeWaterBody> free_water;
   std::vector<Point2> water_table;  ///< polyline (x, height); soil below it starts saturated; empty: all soil dry
   InitialStress initial_stress = InitialStress::k0;
-  std::optional<double> k0;         ///< absent: 1 − sin φ' (Jaky) where the law has an angle, else ν/(1 − ν)
+  std::optional<double> k0;  ///< absent: 1 − sin φ' (Jaky) where the law has an angle, else ν/(1 − ν)
   std::vector<Boundary> boundaries;
   std::vector<Stage> stages;
   std::vector<Monitor> monitors;

@@ -17,11 +17,13 @@ namespace polder {
 /// What one number of a law (or of the material) is: the case file, its checks, its documentation and the JSON schema
 /// are all made from tables of these.
 struct Parameter {
-  std::string_view key;       ///< name in the case file, e.g. "friction_angle"
-  std::string_view symbol;    ///< symbol in theory.md and in reports, e.g. "φ'"
-  std::string_view quantity;  ///< kind of quantity, which fixes the units taken: "pressure", "angle", "ratio", "length"…
+  std::string_view key;     ///< name in the case file, e.g. "friction_angle"
+  std::string_view symbol;  ///< symbol in theory.md and in reports, e.g. "φ'"
+  /// Kind of quantity, which fixes the units taken: "pressure", "angle", "ratio", "length"…; "choice:a|b" is a word in
+  /// the case file and its place in that list (0, 1, …) as a value.
+  std::string_view quantity;
   bool required;
-  double standard;   ///< value where the key is left out (SI)
+  double standard;   ///< value where the key is left out (SI); NaN: "not given", the law works it out
   double low, high;  ///< allowed range (SI), inclusive
   std::string_view doc;
 };
@@ -60,12 +62,20 @@ class SoilLaw {
   virtual void initial_state(double /*mean_pressure*/, double /*porosity*/, std::span<double> /*state*/) const {}
 };
 
+/// A value that is in its own range and yet cannot be used together with the others.
+struct Complaint {
+  std::string_view key;  ///< of the parameter to change
+  std::string message;   ///< what is wrong and what to do, for the user
+};
+
 struct LawDescription {
   std::string_view name;  ///< value of `law` in the case file, e.g. "mohr-coulomb"
   std::string_view doc;
   std::span<const Parameter> parameters;
   /// `values` in the order of `parameters`.
   std::unique_ptr<SoilLaw> (*make)(std::span<const double> values, const LawContext& context);
+  /// Checks between parameters, to be asked before `make`; empty where there are none or all is well.
+  std::vector<Complaint> (*check)(std::span<const double> values, const LawContext& context) = nullptr;
 };
 
 /// All laws that the program knows.

@@ -1,0 +1,25 @@
+#include <array>
+
+#include "polder/material/law.hpp"
+
+// The laws that the program knows, one line a law: the name of the function that describes it, in its own file.
+#define POLDER_SOIL_LAWS(law) law(linear_elastic) law(mohr_coulomb)
+
+namespace polder {
+
+#define POLDER_DECLARE(name) LawDescription name##_law();
+POLDER_SOIL_LAWS(POLDER_DECLARE)
+
+std::span<const LawDescription> soil_laws() {
+#define POLDER_DESCRIBE(name) name##_law(),
+  static const std::array laws{POLDER_SOIL_LAWS(POLDER_DESCRIBE)};
+  return laws;
+}
+
+const LawDescription* find_soil_law(std::string_view name) {
+  for (const LawDescription& law : soil_laws())
+    if (law.name == name) return &law;
+  return nullptr;
+}
+
+}  // namespace polder
