@@ -73,19 +73,17 @@ POLDER_INLINE void return_point(StressBatch<6>& batch, int i, const MohrCoulombS
                                 const Elasticity& elasticity) {
   const Tensor trial_stress{batch.stress[0][i], batch.stress[1][i], batch.stress[2][i],
                             batch.stress[3][i], batch.stress[4][i], batch.stress[5][i]};
-  const Vector3 axis = separated_axis(trial_stress);
-  const CrossFrame frame = cross_frame(axis);
-  const Vector3 on_first = product(trial_stress, frame.first), on_second = product(trial_stress, frame.second);
-  const double axial = dot(axis, product(trial_stress, axis));
-  const PlanePair pair =
-      principal_pair(dot(frame.first, on_first), dot(frame.second, on_second), dot(frame.first, on_second));
+  const Vector3 v = separated_axis(trial_stress), u = perpendicular(v), w = cross(v, u);
+  const Vector3 on_u = product(trial_stress, u), on_w = product(trial_stress, w);
+  const double axial = dot(v, product(trial_stress, v));
+  const PlanePair pair = principal_pair(dot(u, on_u), dot(w, on_w), dot(u, on_w));
   const PrincipalOrder order = sort_principal(pair.high, pair.low, axial);
   const Principal& trial = order.sorted;
   const Principal s = mohr_coulomb_return(trial, strength, dilation, elasticity);
   const PlacedPrincipal placed = place_principal(order, s);
   const double mean = 0.5 * (placed.high + placed.low), radius = 0.5 * (placed.high - placed.low);
   const double half = radius * pair.cosine;
-  const Tensor stress = assemble(frame, axis, mean + half, mean - half, radius * pair.sine, placed.axis);
+  const Tensor stress = assemble(u, w, v, mean + half, mean - half, radius * pair.sine, placed.axis);
   const bool yielding = yields(strength, trial);
   batch.stress[0][i] = yielding ? stress.xx : trial_stress.xx;
   batch.stress[1][i] = yielding ? stress.yy : trial_stress.yy;

@@ -75,6 +75,11 @@ POLDER_INLINE Vector3 product(const Tensor& s, const Vector3& a) {
           s.zx * a.x + s.yz * a.y + s.zz * a.z};
 }
 
+/// One Newton step on t³ − 3t = 2r.
+POLDER_INLINE double cubic_newton(double t, double twice_r) {
+  return t - (t * (t * t - 3) - twice_r) / (3 * (t * t - 1));
+}
+
 /// The unit eigenvector whose eigenvalue is best separated from the others; x where all are equal.
 POLDER_INLINE Vector3 separated_axis(const Tensor& s) {
   const double mean = (s.xx + s.yy + s.zz) * (1.0 / 3.0);
@@ -87,7 +92,7 @@ POLDER_INLINE Vector3 separated_axis(const Tensor& s) {
       b.xx * (b.yy * b.zz - b.yz * b.yz) - b.xy * (b.xy * b.zz - b.yz * b.zx) + b.zx * (b.xy * b.yz - b.yy * b.zx);
   const double twice_r = std::abs(determinant);
   double t = 1.7320508075688772 + twice_r * (0.16666666666666667 - 0.01634603522555 * twice_r);
-  for (int step = 0; step < 3; ++step) t -= (t * (t * t - 3) - twice_r) / (3 * (t * t - 1));
+  t = cubic_newton(cubic_newton(cubic_newton(t, twice_r), twice_r), twice_r);
   t = determinant < 0 ? -t : t;
   // Rows of B − tI span the plane across the eigenvector; the longest of their cross products is the safest.
   const Vector3 row_x{b.xx - t, b.xy, b.zx}, row_y{b.xy, b.yy - t, b.yz}, row_z{b.zx, b.yz, b.zz - t};
@@ -102,28 +107,22 @@ POLDER_INLINE Vector3 separated_axis(const Tensor& s) {
   return choose(hydrostatic, Vector3{1, 0, 0}, scaled(best, length));
 }
 
-/// Two unit vectors that complete `axis` to a right-handed frame.
-struct CrossFrame {
-  Vector3 first, second;
-};
-
-POLDER_INLINE CrossFrame cross_frame(const Vector3& axis) {
+/// A unit vector across the unit vector `axis`.
+POLDER_INLINE Vector3 perpendicular(const Vector3& axis) {
   const bool use_x = std::abs(axis.x) < 0.6;
-  const Vector3 helper = choose(use_x, Vector3{0, axis.z, -axis.y}, Vector3{-axis.z, 0, axis.x});
-  const Vector3 first = scaled(helper, 1.0 / std::sqrt(dot(helper, helper)));
-  return {first, cross(axis, first)};
+  const Vector3 across = choose(use_x, Vector3{0, axis.z, -axis.y}, Vector3{-axis.z, 0, axis.x});
+  return scaled(across, 1.0 / std::sqrt(dot(across, across)));
 }
 
 /// Σ of the dyads a₁₁ u⊗u + a₂₂ w⊗w + a₁₂ (u⊗w + w⊗u) + a₃₃ v⊗v.
-POLDER_INLINE Tensor assemble(const CrossFrame& frame, const Vector3& axis, double a11, double a22, double a12,
+POLDER_INLINE Tensor assemble(const Vector3& u, const Vector3& w, const Vector3& v, double a11, double a22, double a12,
                               double a33) {
-  const Vector3 &u = frame.first, &w = frame.second;
   const Vector3 fu{a11 * u.x + a12 * w.x, a11 * u.y + a12 * w.y, a11 * u.z + a12 * w.z};
   const Vector3 fw{a12 * u.x + a22 * w.x, a12 * u.y + a22 * w.y, a12 * u.z + a22 * w.z};
-  const Vector3 fv = scaled(axis, a33);
-  return {fu.x * u.x + fw.x * w.x + fv.x * axis.x, fu.y * u.y + fw.y * w.y + fv.y * axis.y,
-          fu.z * u.z + fw.z * w.z + fv.z * axis.z, fu.x * u.y + fw.x * w.y + fv.x * axis.y,
-          fu.y * u.z + fw.y * w.z + fv.y * axis.z, fu.z * u.x + fw.z * w.x + fv.z * axis.x};
+  const Vector3 fv = scaled(v, a33);
+  return {fu.x * u.x + fw.x * w.x + fv.x * v.x, fu.y * u.y + fw.y * w.y + fv.y * v.y,
+          fu.z * u.z + fw.z * w.z + fv.z * v.z, fu.x * u.y + fw.x * w.y + fv.x * v.y,
+          fu.y * u.z + fw.y * w.z + fv.y * v.z, fu.z * u.x + fw.z * w.x + fv.z * v.x};
 }
 
 }  // namespace polder
