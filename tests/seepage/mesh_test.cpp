@@ -1,0 +1,180 @@
+#include "polder/seepage/mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <sstream>
+
+#include "polder/seepage/delaunay.hpp"
+#include "polder/seepage/mesher.hpp"
+#include "polder/seepage/msh_reader.hpp"
+
+namespace {
+
+using polder::Mesh;
+using polder::MeshRequest;
+using polder::Point2;
+
+double total_area(const Mesh& mesh, int region = -1) {
+  double sum = 0;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+    if (region < 0 || mesh.region[t] == region) sum += polder::area(mesh, t);
+  return sum;
+}
+
+TEST(Delaunay, NoCircumcircleContainsAnotherPoint) {
+  std::mt19937_64 random(7);
+  std::uniform_int_distribution<std::int64_t> coarse(0, 40);  // many points on common lines and circles
+  polder::Delaunay d = polder::empty_delaunay();
+  for (int i = 0; i < 600; ++i)
+    polder::insert(d, {coarse(random) * (polder::Delaunay::extent / 40), coarse(random) * (polder::Delaunay::extent / 40)});
+  std::int64_t area = 0;
+  for (int t = 0; t < static_cast<int>(d.triangles.size()); ++t) {
+    if (!d.triangles[t].alive()) continue;
+    const auto& v = d.triangles[t].vertex;
+    const std::int64_t twice = polder::orientation(d.points[v[0]], d.points[v[1]], d.points[v[2]]);
+    EXPECT_GT(twice, 0);
+    area += twice;
+  }
+  EXPECT_EQ(area, 2 * 25 * polder::Delaunay::extent * polder::Delaunay::extent);
+  // The cavity of a vertex is the triangle found to hold it, and all whose circle contains it strictly: none.
+  for (std::size_t i = polder::Delaunay::corners; i < d.points.size(); ++i)
+    EXPECT_EQ(polder::cavity(d, d.points[i]).size(), 1u);
+}
+
+TEST(Mesher, FillsASlopeWithLayersExactly) {
+  // ACADS 1c: a layer that tapers out at the toe with an angle of 11°.
+  MeshRequest request;
+  request.size = 1;
+  request.polygons = {{{30, 25}, {50, 29}, {54, 31}, {70, 31}, {70, 35}, {50, 35}},
+                      {{30, 25}, {40, 27}, {52, 24}, {70, 24}, {70, 31}, {54, 31}, {50, 29}},
+                      {{20, 20}, {70, 20}, {70, 24}, {52, 24}, {40, 27}, {30, 25}, {20, 25}}};
+  const Mesh mesh = polder::make_mesh(request);
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) {
+    double exact = 0;
+    const auto& p = request.polygons[k];
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const auto& q = p[(i + 1) % p.size()];
+      exact += (p[i][0] * q[1] - q[0] * p[i][1]) / 2;
+    }
+    EXPECT_NEAR(total_area(mesh, k), exact, 1e-5) << "layer " << k;
+    sum += exact;
+  }
+  EXPECT_NEAR(total_area(mesh), sum, 1e-5);
+  EXPECT_GT(polder::smallest_angle(mesh), 5.0);
+  EXPECT_GT(mesh.triangles.size(), sum / (0.6 * 1.0));
+  EXPECT_LT(mesh.triangles.size(), 5 * sum);
+}
+
+TEST(Mesher, KeepsAnglesWideWhereTheInputDoes) {
+  MeshRequest request;
+  request.size = 0.5;
+  request.polygons = {{{0, 0}, {10, 0}, {10, 4}, {0, 4}}};
+  request.finer = {{{3, 2}, 0.02}};
+  const Mesh mesh = polder::make_mesh(request);
+  EXPECT_GT(polder::smallest_angle(mesh), 22.0);
+  EXPECT_NEAR(total_area(mesh), 40, 1e-6);
+}
+
+TEST(Mesher, MeshesRandomPolygonsWithoutGapsOrOverlaps) {
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(0, 1);
+    // A star-shaped outline with spikes, and a second polygon that overlaps it.
+    MeshRequest request;
+    std::vector<Point2> star;
+    const int corners = 5 + static_cast<int>(unit(random) * 12);
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * M_PI * i / corners, radius = 1 + 9 * unit(random);
+      star.push_back({20 + radius * std::cos(angle), 20 + radius * std::sin(angle)});
+    }
+    request.polygons = {star, {{18, 18}, {24, 17}, {25, 23}, {19, 24}}};
+    request.size = 0.4 + unit(random);
+    const Mesh mesh = polder::make_mesh(request);
+    double star_area = 0;
+    for (int i = 0; i < corners; ++i) {
+      const auto &p = star[i], &q = star[(i + 1) % corners];
+      star_area += (p[0] * q[1] - q[0] * p[1]) / 2;
+    }
+    int inside = 0;
+    const int samples = 4000;
+    const polder::MeshLocator locator(mesh);
+    for (int i = 0; i < samples; ++i) {
+      const Point2 p{10 + 20 * unit(random), 10 + 20 * unit(random)};
+      const bool expected = polder::inside_polygon(request.polygons[0], p) || polder::inside_polygon(request.polygons[1], p);
+      inside += expected == (locator.find(p).triangle >= 0);
+    }
+    EXPECT_GE(inside, samples - 2) << "seed " << seed;
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+      EXPECT_GT(polder::area(mesh, t), 0) << "seed " << seed;
+    EXPECT_GE(total_area(mesh), star_area - 1e-5) << "seed " << seed;
+  }
+}
+
+TEST(Mesher, OpensACutThatEndsOnTheOutline) {
+  MeshRequest request;
+  request.size = 0.5;
+  request.polygons = {{{0, 0}, {10, 0}, {10, 4}, {0, 4}}};
+  const auto closed = polder::make_mesh(request);
+  request.cuts = {{{5, 4}, {5, 2}}};
+  const Mesh mesh = polder::make_mesh(request);
+  double cut_length = 0;
+  for (const auto& e : polder::outline(mesh))
+    if (std::abs(mesh.nodes[e.middle][0] - 5) < 1e-9 && mesh.nodes[e.middle][1] > 2 && mesh.nodes[e.middle][1] < 4)
+      cut_length += std::hypot(mesh.nodes[e.a][0] - mesh.nodes[e.b][0], mesh.nodes[e.a][1] - mesh.nodes[e.b][1]);
+  EXPECT_NEAR(cut_length, 2 * 2.0, 1e-6);
+  EXPECT_NEAR(total_area(mesh), 40, 1e-6);
+}
+
+const char* const square_2 =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 7 \"clay core\"\n$EndPhysicalNames\n"
+    "$Nodes\n4\n1 0 0 0\n2 2 0 0\n3 2 1 0\n9 0 1 0\n$EndNodes\n"
+    "$Elements\n3\n1 1 2 5 1 1 2\n2 2 2 7 1 1 2 3\n3 2 2 7 1 1 9 3\n$EndElements\n";
+const char* const square_4 =
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 1 0\n3 0 0 0 2 1 0 1 7 0\n$EndEntities\n"
+    "$Nodes\n1 4 1 9\n2 3 0 4\n1\n2\n3\n9\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n$EndNodes\n"
+    "$Elements\n1 2 1 2\n2 3 2 2\n1 1 2 3\n2 1 9 3\n$EndElements\n";
+
+TEST(MshReader, ReadsBothVersions) {
+  for (const char* text : {square_2, square_4}) {
+    std::istringstream in(text);
+    const auto read = polder::read_msh(in);
+    EXPECT_EQ(read.mesh.triangles.size(), 2u);
+    EXPECT_EQ(read.mesh.nodes.size(), 9u);
+    EXPECT_EQ(read.mesh.region, (std::vector<int>{7, 7}));
+    EXPECT_NEAR(total_area(read.mesh), 2, 1e-12);
+  }
+  std::istringstream in(square_2);
+  EXPECT_EQ(polder::read_msh(in).names.at(7), "clay core");
+}
+
+TEST(MshReader, SaysWhichLineIsWrong) {
+  std::istringstream in("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0\nx 1 0 0\n$EndNodes\n");
+  try {
+    polder::read_msh(in);
+    FAIL() << "a broken file was accepted";
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find("line 7"), std::string::npos) << e.what();
+  }
+}
+
+TEST(MeshLocator, InterpolatesQuadraticFieldsExactly) {
+  MeshRequest request;
+  request.size = 0.7;
+  request.polygons = {{{0, 0}, {4, 0}, {3, 2}, {0, 2}}};
+  const Mesh mesh = polder::make_mesh(request);
+  std::vector<double> field;
+  for (const auto& p : mesh.nodes) field.push_back(1 + p[0] - 2 * p[1] + p[0] * p[0] - 3 * p[0] * p[1]);
+  const polder::MeshLocator locator(mesh);
+  for (const Point2 p : {Point2{0.3, 0.4}, {2.9, 1.9}, {1.234, 1.001}}) {
+    const auto place = locator.find(p);
+    ASSERT_GE(place.triangle, 0);
+    EXPECT_NEAR(polder::interpolate(mesh, field, place), 1 + p[0] - 2 * p[1] + p[0] * p[0] - 3 * p[0] * p[1], 1e-9);
+  }
+  EXPECT_LT(locator.find({3.9, 1.9}).triangle, 0);
+}
+
+}  // namespace
