@@ -29,7 +29,8 @@ TEST(Delaunay, NoCircumcircleContainsAnotherPoint) {
   std::uniform_int_distribution<std::int64_t> coarse(0, 40);  // many points on common lines and circles
   polder::Delaunay d = polder::empty_delaunay();
   for (int i = 0; i < 600; ++i)
-    polder::insert(d, {coarse(random) * (polder::Delaunay::extent / 40), coarse(random) * (polder::Delaunay::extent / 40)});
+    polder::insert(
+        d, {coarse(random) * (polder::Delaunay::extent / 40), coarse(random) * (polder::Delaunay::extent / 40)});
   std::int64_t area = 0;
   for (int t = 0; t < static_cast<int>(d.triangles.size()); ++t) {
     if (!d.triangles[t].alive()) continue;
@@ -104,7 +105,8 @@ TEST(Mesher, MeshesRandomPolygonsWithoutGapsOrOverlaps) {
     const polder::MeshLocator locator(mesh);
     for (int i = 0; i < samples; ++i) {
       const Point2 p{10 + 20 * unit(random), 10 + 20 * unit(random)};
-      const bool expected = polder::inside_polygon(request.polygons[0], p) || polder::inside_polygon(request.polygons[1], p);
+      const bool expected =
+          polder::inside_polygon(request.polygons[0], p) || polder::inside_polygon(request.polygons[1], p);
       inside += expected == (locator.find(p).triangle >= 0);
     }
     EXPECT_GE(inside, samples - 2) << "seed " << seed;

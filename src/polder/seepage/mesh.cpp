@@ -94,7 +94,8 @@ MeshLocator::MeshLocator(const Mesh& mesh) : mesh_(&mesh) {
 MeshLocator::Place MeshLocator::find(const Point2& p) const {
   const double column = std::floor((p[0] - low_[0]) / width_), row = std::floor((p[1] - low_[1]) / width_);
   if (!(column >= -1 && column <= columns_ && row >= -1 && row <= rows_)) return {};
-  const int c = std::clamp(static_cast<int>(column), 0, columns_ - 1), r = std::clamp(static_cast<int>(row), 0, rows_ - 1);
+  const int c = std::clamp(static_cast<int>(column), 0, columns_ - 1),
+            r = std::clamp(static_cast<int>(row), 0, rows_ - 1);
   for (const int e : buckets_[static_cast<std::size_t>(r) * columns_ + c]) {
     const auto& t = mesh_->triangles[e];
     const Point2 &a = mesh_->nodes[t[0]], &b = mesh_->nodes[t[1]], &d = mesh_->nodes[t[2]];
@@ -139,8 +140,7 @@ bool inside_polygon(std::span<const Point2> polygon, const Point2& p) {
   bool inside = false;
   for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
     const Point2 &a = polygon[i], &b = polygon[j];
-    if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]) + a[0])
-      inside = !inside;
+    if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < (b[0] - a[0]) * (p[1] - a[1]) / (b[1] - a[1]) + a[0]) inside = !inside;
   }
   return inside;
 }

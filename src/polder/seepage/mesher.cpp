@@ -24,9 +24,9 @@ Edge edge(int a, int b) { return std::minmax(a, b); }
 struct Refiner {
   const MeshRequest& request;
   Delaunay d = empty_delaunay();
-  std::vector<Point2> position{};     ///< m, per vertex of d
-  std::vector<bool> acute{};          ///< vertex at which input segments meet at less than 90°
-  std::map<Edge, bool> segments{};    ///< value: part of a cut
+  std::vector<Point2> position{};   ///< m, per vertex of d
+  std::vector<bool> acute{};        ///< vertex at which input segments meet at less than 90°
+  std::map<Edge, bool> segments{};  ///< value: part of a cut
   std::vector<Edge> segment_queue{};
   std::vector<std::array<int, 3>> triangle_queue{};
   std::vector<FinerPoint> finer{};

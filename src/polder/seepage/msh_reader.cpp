@@ -137,7 +137,8 @@ struct Reader {
       long tag = 0;
       int type = 0, tags = 0, physical = 0, elementary = 0, skipped = 0;
       take(s, "an element", tag, type, tags);
-      for (int k = 0; k < tags; ++k) take(s, "the tags of an element", k == 0 ? physical : k == 1 ? elementary : skipped);
+      for (int k = 0; k < tags; ++k)
+        take(s, "the tags of an element", k == 0 ? physical : k == 1 ? elementary : skipped);
       element(type, physical != 0 ? physical : elementary, s);
     }
   }
@@ -168,11 +169,16 @@ GmshMesh read_msh(std::istream& in) {
   Reader r{in};
   std::string line;
   while (r.next(line)) {
-    if (line == "$MeshFormat") r.format();
-    else if (line == "$PhysicalNames") r.physical_names();
-    else if (line == "$Entities") r.entities();
-    else if (line == "$Nodes") r.version == 2.2 ? r.nodes_2() : r.nodes_4();
-    else if (line == "$Elements") r.version == 2.2 ? r.elements_2() : r.elements_4();
+    if (line == "$MeshFormat")
+      r.format();
+    else if (line == "$PhysicalNames")
+      r.physical_names();
+    else if (line == "$Entities")
+      r.entities();
+    else if (line == "$Nodes")
+      r.version == 2.2 ? r.nodes_2() : r.nodes_4();
+    else if (line == "$Elements")
+      r.version == 2.2 ? r.elements_2() : r.elements_4();
   }
   if (r.version == 0) r.fail("no $MeshFormat: this is not a Gmsh file");
   if (r.corners.empty()) r.fail("no triangles in the file");

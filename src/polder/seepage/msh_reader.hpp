@@ -9,7 +9,7 @@
 namespace polder {
 
 struct GmshMesh {
-  Mesh mesh;  ///< regions are physical groups (elementary entities where the file has none)
+  Mesh mesh;                         ///< regions are physical groups (elementary entities where the file has none)
   std::map<int, std::string> names;  ///< physical groups by number, where named
 };
 
