@@ -74,6 +74,9 @@ DisplayUnit display_unit(std::string_view unit, double largest) {
   if (unit == "Pa" && largest >= 2e6) return {1e6, "MPa"};
   if (unit == "Pa" && largest >= 500) return {1e3, "kPa"};
   if ((unit == "m" || unit == "m/s") && largest > 0 && largest < 0.02) return {1e-3, "m" + std::string(unit)};
+  if (unit == "s" && largest >= 2 * 86400) return {86400, "d"};
+  if (unit == "s" && largest >= 7200) return {3600, "h"};
+  if (unit == "s" && largest >= 600) return {60, "min"};
   return {1, std::string(unit)};
 }
 

@@ -33,7 +33,7 @@ struct DisplayUnit {
   std::string name;
 };
 
-/// kPa or MPa for Pa, mm for m, mm/s for m/s where the largest magnitude asks for it.
+/// kPa or MPa for Pa, mm for m, mm/s for m/s, minutes, hours or days for s where the largest magnitude asks for it.
 DisplayUnit display_unit(std::string_view unit, double largest);
 
 /// "t = 4.00 s", "3.2 min", "5.4 h", "12 d": three significant digits in the unit that suits.
