@@ -1,0 +1,200 @@
+#pragma once
+// What the factor of safety needs beyond the model that `polder run` simulates, as plain data: strengths, water nets,
+// loads, limits of the slip surfaces, where to search. The case file's [stability] section fills it.
+// SI units (Pa, N/m³, m, rad); (x, height); water pressure positive in compression; cohesion and pressures positive.
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polder::stability {
+
+using Point = std::array<double, 2>;  ///< m; (x, height)
+using Line = std::vector<Point>;      ///< m; x not decreasing where it is a level as a function of x
+
+enum class StrengthModel { drained, undrained, shansep, table };
+
+/// Shear strength on a plane. Drained: c' + σ'n tan φ'. The others are undrained strengths s_u.
+struct Strength {
+  StrengthModel model = StrengthModel::drained;
+  double cohesion = 0;        ///< Pa
+  double friction_angle = 0;  ///< rad
+  /// rad; absent: associated. Else c and tan φ are lowered as for a shear band with that dilatancy (Davis 1968):
+  /// tan φ* = sin φ cos ψ / (1 − sin φ sin ψ), c* = c cos φ cos ψ / (1 − sin φ sin ψ).
+  std::optional<double> dilatancy_angle;
+  double undrained_strength = 0;                    ///< Pa, at `reference_level` where that is given
+  double strength_gradient = 0;                     ///< Pa/m, increase with depth below `reference_level`
+  std::optional<double> reference_level;            ///< m; absent: the ground above the point
+  double ratio = 0;                                 ///< SHANSEP S in s_u = S σ'v OCR^m
+  double exponent = 0.9;                            ///< SHANSEP m
+  std::vector<std::array<double, 2>> stress_table;  ///< (σ'v, s_u) Pa, for StrengthModel::table
+};
+
+struct Soil {
+  std::string name;
+  double unit_weight = 18e3;            ///< N/m³ above the phreatic line
+  double saturated_unit_weight = 18e3;  ///< N/m³ below it
+  Strength above, below;                ///< above and below the phreatic line
+};
+
+/// How heavily a soil was loaded before: overburden POP = σ'y − σ'v, or OCR = σ'y/σ'v, in the reference state.
+enum class PreconsolidationKind { pop, ocr, yield_stress };
+struct Preconsolidation {
+  PreconsolidationKind kind = PreconsolidationKind::pop;
+  double value = 0;  ///< Pa, or dimensionless for `ocr`
+};
+
+struct Layer {
+  std::string name;
+  std::vector<Point> polygon;
+  int soil = 0;                       ///< index into the section's soils
+  Preconsolidation preconsolidation;  ///< where no state point or line says otherwise
+};
+
+/// Preconsolidation known at a point of a layer; several in one layer are interpolated along x.
+struct StatePoint {
+  Point at{0, 0};
+  int layer = 0;
+  Preconsolidation value;
+};
+
+/// Preconsolidation known along a line, just above and just below it, at abscissae between which it is interpolated.
+struct StateLine {
+  struct Value {
+    double x = 0;
+    Preconsolidation above, below;
+  };
+  Line line;
+  std::vector<Value> values;
+};
+
+/// A line on which heads are prescribed: `head_above` holds for the soil just above it, `head_below` just below.
+struct ReferenceLine {
+  Line line;
+  Line head_above, head_below;  ///< m, head as a function of x; empty: the phreatic line
+};
+
+/// The water net: pressure is hydrostatic under the phreatic line down to the first reference line, linear in height
+/// between reference lines, hydrostatic with the last `head_below` under the last. Lines hold their end values beyond
+/// their ends for heads; a reference line acts only where it is drawn.
+struct WaterNet {
+  double unit_weight = 9810;  ///< N/m³
+  Line phreatic;              ///< empty: no water
+  std::vector<ReferenceLine> references;
+  double max_suction = 0;  ///< Pa; hydrostatic suction above the phreatic line counts up to this value
+};
+
+/// A strip load on the ground; at depth d it acts over a width larger by 2 d tan(spread).
+struct StripLoad {
+  std::string name;
+  double from = 0, to = 0;  ///< m
+  double pressure = 0;      ///< Pa
+  double spread = 0;        ///< rad from the vertical
+  /// Degree of consolidation (0 to 1) per layer under this load; empty: fully consolidated everywhere. The share that
+  /// is not yet consolidated is carried by the pore water of that layer.
+  std::vector<double> consolidation;
+};
+
+struct LineLoad {
+  std::string name;
+  Point at{0, 0};
+  double force = 0;   ///< N/m
+  double angle = 0;   ///< rad from the vertical, positive towards +x
+  double spread = 0;  ///< rad
+  std::vector<double> consolidation;
+};
+
+struct Earthquake {
+  double horizontal = 0;  ///< k_h, share of the weight, acting in the direction of sliding
+  double vertical = 0;    ///< k_v, positive upwards
+};
+
+struct TensionCrack {
+  double depth = 0;  ///< m below the ground where the surface enters
+  double water = 0;  ///< share of the crack's depth filled with water
+};
+
+using Range = std::array<double, 2>;
+
+struct SlipLimits {
+  std::optional<Range> entry;                       ///< m, x where the surface may begin (the high end)
+  std::optional<Range> exit;                        ///< m, x where it may end (the low end)
+  double minimum_depth = 0;                         ///< m, greatest depth below the ground must exceed this
+  double minimum_length = 0;                        ///< m, horizontal distance between the ends
+  std::vector<Line> forbidden_lines;                ///< segments that the surface may not cross
+  std::vector<std::vector<Point>> forbidden_zones;  ///< polygons that it may not enter
+};
+
+enum class Movement { automatic, left, right };
+
+struct CircleGrid {
+  Point corner{0, 0};                   ///< m, lower left centre
+  double spacing_x = 1, spacing_z = 1;  ///< m
+  int count_x = 0, count_z = 0;
+  double tangent = 0, tangent_spacing = 1;  ///< m, lowest tangent line
+  int tangents = 0;
+};
+
+struct Box {
+  Point low{0, 0}, high{0, 0};
+};
+
+/// Two boxes of centres and a range of levels of the horizontal plane.
+struct UpliftVanArea {
+  Box active, passive;
+  Range tangent{0, 0};
+};
+
+/// Two slip surfaces between which the vertices of a free surface are sought.
+struct FreeSurfaceBand {
+  Line upper, lower;
+};
+
+struct Circle {
+  Point centre{0, 0};
+  double radius = 0;
+};
+
+struct UpliftVanPlane {
+  Point active, passive;  ///< centres
+  double tangent = 0;     ///< m, level of the horizontal plane
+};
+
+/// Partial factors by which strengths are divided and loads multiplied for design values.
+struct PartialFactors {
+  double cohesion = 1, tan_friction = 1, undrained = 1, load = 1, model = 1;
+};
+
+/// Spread of a strength or of a head, for the probabilistic run.
+struct Scatter {
+  std::string what;      ///< "cohesion", "friction_angle", "ratio", "exponent", "undrained_strength", "pop", "head"
+  std::string soil;      ///< name of the soil, or empty for heads
+  double deviation = 0;  ///< coefficient of variation; m for heads
+};
+
+struct Input {
+  std::vector<Soil> soils;  ///< by the names of the model's materials; absent ones are taken from the material's law
+  std::vector<Preconsolidation> preconsolidation;  ///< of `soils`, same order; may be empty
+  std::vector<StatePoint> state_points;
+  std::vector<StateLine> state_lines;
+  WaterNet water;
+  std::optional<WaterNet> daily_water;  ///< water of the state to which preconsolidation refers
+  std::vector<StripLoad> strip_loads;
+  std::vector<LineLoad> line_loads;
+  Earthquake earthquake;
+  TensionCrack crack;
+  SlipLimits limits;
+  Movement movement = Movement::automatic;
+  std::optional<CircleGrid> circles;
+  std::optional<UpliftVanArea> uplift_van;
+  std::optional<FreeSurfaceBand> free_surface;
+  std::optional<Circle> circle;         ///< one circle to compute instead of a search
+  std::optional<UpliftVanPlane> plane;  ///< one Uplift-Van surface to compute
+  std::optional<Line> surface;          ///< one free surface to compute
+  std::vector<std::string> methods;     ///< methods that make sense for this case; empty: all of them
+  PartialFactors partial_factors;
+  std::vector<Scatter> scatter;
+};
+
+}  // namespace polder::stability

@@ -1,0 +1,217 @@
+#include "polder/stability/columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "polder/stability/check_section.hpp"
+#include "polder/stability/lines.hpp"
+#include "polder/stability/water_net.hpp"
+
+namespace polder::stability {
+namespace {
+
+constexpr double same_x = 1e-9;  // m; vertices closer than this are one
+
+void append_line(std::vector<double>& xs, const Line& line) {
+  for (const Point& p : line) xs.push_back(p[0]);
+}
+
+void sort_unique(std::vector<double>& xs) {
+  std::sort(xs.begin(), xs.end());
+  xs.erase(std::unique(xs.begin(), xs.end(), [](double a, double b) { return b - a < same_x; }), xs.end());
+}
+
+// Heights at `left` and `right` where the layer's outline passes through the column, in pairs from the ground down.
+void append_pieces(const Layer& layer, int index, double left, double right, std::vector<Piece>& pieces) {
+  struct Edge {
+    double at_left, at_right;
+    double middle() const { return at_left + at_right; }
+  };
+  std::vector<Edge> edges;
+  const double middle = (left + right) / 2;
+  for (std::size_t i = 0, j = layer.polygon.size() - 1; i < layer.polygon.size(); j = i++) {
+    const Point& a = layer.polygon[i];
+    const Point& b = layer.polygon[j];
+    if ((a[0] > middle) == (b[0] > middle)) continue;
+    const double slope = (b[1] - a[1]) / (b[0] - a[0]);
+    edges.push_back({a[1] + (left - a[0]) * slope, a[1] + (right - a[0]) * slope});
+  }
+  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.middle() > b.middle(); });
+  for (std::size_t k = 0; k + 1 < edges.size(); k += 2)
+    pieces.push_back({{edges[k].at_left, edges[k].at_right}, {edges[k + 1].at_left, edges[k + 1].at_right}, index});
+}
+
+std::vector<Column> cut(const Section& section) {
+  std::vector<double> xs;
+  for (const Layer& layer : section.layers) append_line(xs, layer.polygon);
+  sort_unique(xs);
+  std::vector<Column> columns;
+  for (std::size_t k = 0; k + 1 < xs.size(); ++k) {
+    Column column{xs[k], xs[k + 1], {}};
+    for (std::size_t i = 0; i < section.layers.size(); ++i)
+      append_pieces(section.layers[i], static_cast<int>(i), column.left, column.right, column.pieces);
+    std::sort(column.pieces.begin(), column.pieces.end(),
+              [](const Piece& a, const Piece& b) { return a.top[0] + a.top[1] > b.top[0] + b.top[1]; });
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+std::vector<double> kinks(const Section& section, const std::vector<Column>& columns) {
+  std::vector<double> xs;
+  for (const Column& column : columns) xs.push_back(column.left);
+  xs.push_back(columns.back().right);
+  append_line(xs, section.water.phreatic);
+  for (const ReferenceLine& reference : section.water.references) append_line(xs, reference.line);
+  for (const StripLoad& load : section.strip_loads) {
+    xs.push_back(load.from);
+    xs.push_back(load.to);
+  }
+  // Where the water table meets the ground, free water begins.
+  if (!section.water.phreatic.empty()) {
+    sort_unique(xs);
+    std::vector<double> shores;
+    for (const Column& column : columns) {
+      const Piece& top = column.pieces.front();
+      const Point a{column.left, top.top[0]}, b{column.right, top.top[1]};
+      const auto first = std::lower_bound(xs.begin(), xs.end(), column.left);
+      for (auto x = first; x != xs.end() && *x < column.right && x + 1 != xs.end(); ++x) {
+        const double x0 = *x, x1 = std::min(*(x + 1), column.right);
+        const double g0 = a[1] + (x0 - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) - level(section.water.phreatic, x0);
+        const double g1 = a[1] + (x1 - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) - level(section.water.phreatic, x1);
+        if (g0 * g1 < 0) shores.push_back(x0 + g0 / (g0 - g1) * (x1 - x0));
+      }
+    }
+    xs.insert(xs.end(), shores.begin(), shores.end());
+  }
+  sort_unique(xs);
+  return xs;
+}
+
+double at(const double (&ends)[2], const Column& column, double x) {
+  return ends[0] + (x - column.left) / (column.right - column.left) * (ends[1] - ends[0]);
+}
+
+}  // namespace
+
+PreparedSection prepare(Section section) {
+  std::vector<std::string> problems = check_data(section);
+  PreparedSection prepared;
+  if (problems.empty()) {
+    prepared.columns = cut(section);
+    problems = check_columns(section, prepared.columns);
+  }
+  if (!problems.empty()) {
+    std::string message = "The section cannot be computed:";
+    for (const std::string& problem : problems) message += "\n  " + problem;
+    throw std::invalid_argument(message);
+  }
+  prepared.breaks = kinks(section, prepared.columns);
+  prepared.states.resize(section.layers.size());
+  for (std::size_t i = 0; i < section.state_points.size(); ++i)
+    prepared.states[static_cast<std::size_t>(section.state_points[i].layer)].push_back(static_cast<int>(i));
+  for (std::vector<int>& states : prepared.states)
+    std::sort(states.begin(), states.end(), [&](int a, int b) {
+      return section.state_points[static_cast<std::size_t>(a)].at[0] <
+             section.state_points[static_cast<std::size_t>(b)].at[0];
+    });
+  for (Section& before : section.before) prepared.before.push_back(prepare(std::move(before)));
+  section.before.clear();
+  prepared.section = std::move(section);
+  return prepared;
+}
+
+std::size_t column_at(const PreparedSection& prepared, double x) {
+  const auto& columns = prepared.columns;
+  const auto right =
+      std::upper_bound(columns.begin(), columns.end(), x, [](double v, const Column& c) { return v < c.left; });
+  const auto index = right - columns.begin();
+  return index > 0 ? static_cast<std::size_t>(index - 1) : 0;
+}
+
+double ground_level(const PreparedSection& prepared, double x) {
+  const Column& column = prepared.columns[column_at(prepared, x)];
+  return at(column.pieces.front().top, column, x);
+}
+
+double bottom_level(const PreparedSection& prepared, double x) {
+  const Column& column = prepared.columns[column_at(prepared, x)];
+  return at(column.pieces.back().base, column, x);
+}
+
+int layer_at(const PreparedSection& prepared, double x, double z) {
+  const Column& column = prepared.columns[column_at(prepared, x)];
+  if (z > at(column.pieces.front().top, column, x)) return -1;
+  for (const Piece& piece : column.pieces)
+    if (z >= at(piece.base, column, x)) return piece.layer;
+  return -1;
+}
+
+double soil_weight(const PreparedSection& prepared, double x, double z) {
+  const Section& section = prepared.section;
+  const Column& column = prepared.columns[column_at(prepared, x)];
+  const double water = section.water.phreatic.empty() ? -1e30 : level(section.water.phreatic, x);
+  double weight = 0;
+  for (const Piece& piece : column.pieces) {
+    const double top = at(piece.top, column, x);
+    if (top <= z) break;
+    const double base = std::max(at(piece.base, column, x), z);
+    const double wet = std::clamp(water - base, 0.0, top - base);
+    const Soil& soil =
+        section.soils[static_cast<std::size_t>(section.layers[static_cast<std::size_t>(piece.layer)].soil)];
+    weight += soil.saturated_unit_weight * wet + soil.unit_weight * (top - base - wet);
+  }
+  return weight;
+}
+
+double free_water_pressure(const PreparedSection& prepared, double x) {
+  const WaterNet& water = prepared.section.water;
+  if (water.phreatic.empty()) return 0;
+  return water.unit_weight * std::max(0.0, level(water.phreatic, x) - ground_level(prepared, x));
+}
+
+double pore_pressure(const PreparedSection& prepared, double x, double z) {
+  return pore_pressure(prepared.section.water, x, z);
+}
+
+LoadStress load_stress(const PreparedSection& prepared, double x, double z, double width, int layer) {
+  LoadStress stress;
+  const auto add = [&](double from, double to, double force, const std::vector<double>& consolidation) {
+    const double overlap = std::min(to, x + width / 2) - std::max(from, x - width / 2);
+    if (overlap <= 0) return;
+    const double vertical = force / (to - from) * overlap / width;
+    stress.vertical += vertical;
+    if (layer >= 0 && static_cast<std::size_t>(layer) < consolidation.size())
+      stress.excess_pressure += vertical * (1 - consolidation[static_cast<std::size_t>(layer)]);
+  };
+  for (const StripLoad& load : prepared.section.strip_loads) {
+    const double depth = std::max(0.0, ground_level(prepared, std::clamp(x, load.from, load.to)) - z);
+    const double reach = depth * std::tan(load.spread);
+    add(load.from - reach, load.to + reach, load.pressure * (load.to - load.from), load.consolidation);
+  }
+  for (const LineLoad& load : prepared.section.line_loads) {
+    const double reach = std::max(width / 2, std::max(0.0, load.at[1] - z) * std::tan(load.spread));
+    add(load.at[0] - reach, load.at[0] + reach, load.force * std::cos(load.angle), load.consolidation);
+  }
+  return stress;
+}
+
+double vertical_effective_stress(const PreparedSection& prepared, double x, double z) {
+  const LoadStress load = load_stress(prepared, x, z, 1e-3, layer_at(prepared, x, z));
+  return soil_weight(prepared, x, z) + free_water_pressure(prepared, x) + load.vertical - load.excess_pressure -
+         pore_pressure(prepared, x, z);
+}
+
+void append_crossings(const PreparedSection& prepared, const Point& a, const Point& b, std::vector<double>& crossings) {
+  const Column& column = prepared.columns[column_at(prepared, (a[0] + b[0]) / 2)];
+  const auto add = [&](double above_a, double above_b) {
+    if (above_a * above_b < 0) crossings.push_back(a[0] + above_a / (above_a - above_b) * (b[0] - a[0]));
+  };
+  for (const Piece& piece : column.pieces)
+    add(at(piece.base, column, a[0]) - a[1], at(piece.base, column, b[0]) - b[1]);
+  const Line& phreatic = prepared.section.water.phreatic;
+  if (!phreatic.empty()) add(level(phreatic, a[0]) - a[1], level(phreatic, b[0]) - b[1]);
+}
+
+}  // namespace polder::stability

@@ -1,0 +1,48 @@
+#include "polder/stability/lines.hpp"
+
+#include <algorithm>
+
+namespace polder::stability {
+
+double level(const Line& line, double x) {
+  if (x <= line.front()[0]) return line.front()[1];
+  if (x >= line.back()[0]) return line.back()[1];
+  const auto right = std::upper_bound(line.begin(), line.end(), x, [](double v, const Point& p) { return v < p[0]; });
+  const Point& b = *right;
+  const Point& a = *(right - 1);
+  return b[0] > a[0] ? a[1] + (x - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) : b[1];
+}
+
+bool covers(const Line& line, double x) { return !line.empty() && x >= line.front()[0] && x <= line.back()[0]; }
+
+namespace {
+double turn(const Point& a, const Point& b, const Point& c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+}  // namespace
+
+bool segments_cross(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const bool apart = std::max(a[0], b[0]) < std::min(c[0], d[0]) || std::max(c[0], d[0]) < std::min(a[0], b[0]) ||
+                     std::max(a[1], b[1]) < std::min(c[1], d[1]) || std::max(c[1], d[1]) < std::min(a[1], b[1]);
+  if (apart) return false;
+  return turn(a, b, c) * turn(a, b, d) <= 0 && turn(c, d, a) * turn(c, d, b) <= 0;
+}
+
+bool inside(std::span<const Point> polygon, const Point& at) {
+  bool in = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Point& a = polygon[i];
+    const Point& b = polygon[j];
+    if ((a[1] > at[1]) != (b[1] > at[1]) && at[0] < a[0] + (at[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) in = !in;
+  }
+  return in;
+}
+
+double signed_area(std::span<const Point> polygon) {
+  double twice = 0;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++)
+    twice += polygon[j][0] * polygon[i][1] - polygon[i][0] * polygon[j][1];
+  return twice / 2;
+}
+
+}  // namespace polder::stability

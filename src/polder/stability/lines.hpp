@@ -1,0 +1,25 @@
+#pragma once
+// Polylines and polygons in a section: levels as functions of x, crossings, points inside.
+#include <span>
+#include <vector>
+
+#include "polder/case/stability_input.hpp"
+
+namespace polder::stability {
+
+/// Level of the polyline at x, its end values beyond its ends; x must not decrease along it, and it has ≥ 1 point.
+double level(const Line& line, double x);
+
+/// Whether x lies between the ends of the polyline.
+bool covers(const Line& line, double x);
+
+/// Whether two segments cross (touching counts).
+bool segments_cross(const Point& a, const Point& b, const Point& c, const Point& d);
+
+/// Whether the point is inside the polygon (even-odd rule).
+bool inside(std::span<const Point> polygon, const Point& at);
+
+/// Twice the signed area of the polygon over two: m², positive anticlockwise.
+double signed_area(std::span<const Point> polygon);
+
+}  // namespace polder::stability

@@ -1,0 +1,28 @@
+#pragma once
+// A cross-section on which factors of safety are computed, as plain data: what a case file, an imported model or a test
+// hands to the methods. Types of its parts are those of the case file (case/stability_input.hpp), SI units throughout.
+#include <string>
+#include <vector>
+
+#include "polder/case/stability_input.hpp"
+
+namespace polder::stability {
+
+struct Section {
+  std::string name;
+  std::vector<Soil> soils;
+  std::vector<Layer> layers;
+  WaterNet water;
+  std::vector<StatePoint> state_points;
+  std::vector<StateLine> state_lines;
+  std::vector<StripLoad> strip_loads;
+  std::vector<LineLoad> line_loads;
+  Earthquake earthquake;
+  TensionCrack crack;
+  SlipLimits limits;
+  Movement movement = Movement::automatic;
+  /// The section under whose stresses preconsolidation was measured (daily conditions); empty: this one.
+  std::vector<Section> before;
+};
+
+}  // namespace polder::stability

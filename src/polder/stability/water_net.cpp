@@ -1,0 +1,38 @@
+#include "polder/stability/water_net.hpp"
+
+#include <algorithm>
+
+#include "polder/stability/lines.hpp"
+
+namespace polder::stability {
+
+double pore_pressure(const WaterNet& net, double x, double z) {
+  if (net.phreatic.empty()) return 0;
+  const double table = level(net.phreatic, x);
+  if (z >= table) return -std::min(net.max_suction, net.unit_weight * (z - table));
+
+  // The nearest reference lines over and under the point; of coinciding ones the first drawn counts.
+  const ReferenceLine* over = nullptr;
+  const ReferenceLine* under = nullptr;
+  double z_over = 0, z_under = 0;
+  for (const ReferenceLine& reference : net.references) {
+    if (!covers(reference.line, x)) continue;
+    const double at = level(reference.line, x);
+    if (at >= z && (over == nullptr || at < z_over)) over = &reference, z_over = at;
+    if (at < z && (under == nullptr || at > z_under)) under = &reference, z_under = at;
+  }
+  const auto head = [&](const Line& line) { return line.empty() ? table : level(line, x); };
+  double pressure = 0;
+  if (over == nullptr) {
+    pressure = net.unit_weight * (table - z);
+  } else if (under == nullptr) {
+    pressure = net.unit_weight * (head(over->head_below) - z);
+  } else {
+    const double p_over = net.unit_weight * (head(over->head_below) - z_over);
+    const double p_under = net.unit_weight * (head(under->head_above) - z_under);
+    pressure = p_over + (z_over - z) / (z_over - z_under) * (p_under - p_over);
+  }
+  return std::max(pressure, -net.max_suction);
+}
+
+}  // namespace polder::stability

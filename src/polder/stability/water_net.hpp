@@ -1,0 +1,10 @@
+#pragma once
+// Water pressure from a phreatic line and heads prescribed on reference lines.
+#include "polder/stability/section.hpp"
+
+namespace polder::stability {
+
+/// Pore pressure at (x, z), Pa. Above the phreatic line: 0, or suction (negative) down to −max_suction.
+double pore_pressure(const WaterNet& net, double x, double z);
+
+}  // namespace polder::stability
