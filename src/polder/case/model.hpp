@@ -49,11 +49,13 @@ struct MaterialInput {
 struct SoilBody {
   int material = 0;  ///< index into Model::materials
   Region region;
+  std::string name;  ///< may be empty
 };
 
 /// Water outside the soil at the start; inside the soil the pores are filled below the water table.
 struct FreeWaterBody {
   Region region;
+  std::string name;  ///< may be empty
 };
 
 enum class SoilCondition { none, roller, rough };
@@ -91,8 +93,9 @@ struct Monitor {
   std::string name;
   MonitorKind kind = MonitorKind::point;
   std::string quantity;
-  std::vector<Point3> at;
+  std::vector<Point3> at;  ///< points; the two ends of a section; where the height of a surface is taken
   bool follows_soil = true;
+  Region region;  ///< of an integral; without corners: the whole model
 };
 
 struct Output {

@@ -1,0 +1,22 @@
+#pragma once
+// From a case file to a polder::Model, or to everything that is wrong with it.
+#include <string>
+#include <vector>
+
+#include "polder/case/diagnostic.hpp"
+#include "polder/case/model.hpp"
+
+namespace polder {
+
+struct ReadResult {
+  Model model;  ///< complete where there are no errors; else what could be read
+  Diagnostics diagnostics;
+  bool ok() const { return !has_errors(diagnostics); }
+};
+
+/// Reads the case file at `path` with `overrides` of the form key=value ("model.cell=0.025 m",
+/// "material.sand.friction_angle=36 deg", "stage.2.duration=5 s"); every mistake is in the result, in the order of the
+/// file. Throws nothing for what a user may have written.
+ReadResult read_case(const std::string& path, const std::vector<std::string>& overrides = {});
+
+}  // namespace polder

@@ -1,0 +1,290 @@
+#include "polder/case/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "polder/math/units.hpp"
+
+namespace polder {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+const std::vector<Section> sections = {
+    {"model", false, true, "The space that is computed: its size, its grid, gravity."},
+    {"water", false, false, "Properties of the water. The defaults are fresh water at 20 °C with its true stiffness."},
+    {"material", true, false,
+     "A soil: its law, its density and porosity, how water flows through it. The parameters of the law stand beside "
+     "these keys."},
+    {"soil", true, false, "A body of soil: a material in a polygon or a box."},
+    {"free_water", true, false,
+     "Water outside the soil at the start. Where a region overlaps soil, the soil keeps its place; its pores are "
+     "filled "
+     "by `initial.water_table`."},
+    {"initial", false, false, "The state before the first stage: water in the pores, stress in the soil."},
+    {"boundary", true, false,
+     "What happens along a side of the model, along a line of the grid inside it, or in a reservoir. A side without an "
+     "entry is a smooth, impermeable wall."},
+    {"stage", true, true,
+     "A span of the run; stages follow each other in the order of the file. Those marked `initial` come first, end at "
+     "t = 0, and leave displacements, velocities and plastic strains at zero."},
+    {"monitor", true, false, "A quantity that history.csv records."},
+    {"output", false, false, "How often what is written."},
+    {"numerics", false, false, "Choices of the method; docs/theory.md argues for the defaults."},
+};
+
+std::vector<Key> make_keys() {
+  const auto any = -infinity;
+  return {
+      // ---- model
+      {"model", "title", "", "text", false, "", any, infinity, R"("Seepage through a dike")",
+       "One line that heads the report."},
+      {"model", "space", "", "choice:plane-strain|3d", false, "plane-strain", any, infinity, R"("plane-strain")",
+       "A vertical section of a long structure (per metre of its length), or three dimensions."},
+      {"model", "size", "", "list of length", true, "", 1e-3, 1e5, R"(["4 m", "1.5 m"])",
+       "Extent of the model from its lower left corner, the origin: [width, height], in 3d [width, depth, height]."},
+      {"model", "cell", "h", "list of length", true, "", 1e-5, 1e4, R"("0.1 m")",
+       "Spacing of the grid: one for all axes, or one per axis. The size must be a multiple of it."},
+      {"model", "gravity", "g", "acceleration", false, "9.81 m/s2", 0, 1000, R"("9.81 m/s2")",
+       "Acceleration of gravity, downwards; more than 9.81 m/s2 in a centrifuge."},
+      {"model", "points_per_axis", "", "count", false, "2", 1, 8, "2",
+       "Soil and water points per cell along each axis at the start."},
+      // ---- water
+      {"water", "density", "ρw", "density", false, "1000 kg/m3", 500, 2000, R"("1000 kg/m3")", "Density."},
+      {"water", "bulk_modulus", "Kw", "pressure", false, "2.2 GPa", 1e4, 1e11, R"("2.2 GPa")",
+       "Stiffness in compression. The true one costs nothing here; papers reduce it to lengthen an explicit step."},
+      {"water", "viscosity", "μ", "viscosity", false, "1e-3 Pa s", 1e-7, 1e3, R"("1e-3 Pa s")", "Dynamic viscosity."},
+      // ---- material
+      {"material", "name", "", "name", true, "", any, infinity, R"("sand")", "By which `[[soil]]` refers to it."},
+      {"material", "law", "", "text", true, "", any, infinity, R"("mohr-coulomb")",
+       "Soil law. Its parameters are keys of the same section; see the laws below."},
+      {"material", "grain_density", "ρs", "density", false, "", 500, 20000, R"("2650 kg/m3")",
+       "Density of the grains; as a unit weight (\"26 kN/m3\") it is divided by 9.81 m/s2."},
+      {"material", "porosity", "n", "ratio", false, "", 0.01, 0.99, "0.4", "Initial porosity."},
+      {"material", "void_ratio", "e", "ratio", false, "", 0.01, 99, "0.67",
+       "Initial void ratio, instead of the porosity."},
+      {"material", "unsaturated_unit_weight", "γ_unsat", "unit weight", false, "", 1000, 200000, R"("16 kN/m3")",
+       "Unit weight of the dry soil, (1 − n) ρs g: with one more of density, porosity and γ_sat it fixes the others."},
+      {"material", "saturated_unit_weight", "γ_sat", "unit weight", false, "", 1000, 200000, R"("20 kN/m3")",
+       "Unit weight of the saturated soil, [(1 − n) ρs + n ρw] g."},
+      {"material", "max_porosity", "n_max", "ratio", false, "0.5", 0.02, 1, "0.5",
+       "Loosest packing: beyond it the grains have lost contact and flow with the water."},
+      {"material", "grain_diameter", "D", "length", false, "", 1e-7, 10, R"("0.5 mm")",
+       "Mean grain diameter. Without a permeability, Kozeny–Carman gives it from this: κ = D² n³ / (A (1 − n)²)."},
+      {"material", "permeability", "k", "permeability", false, "", 1e-15, 10, R"("1e-3 m/s")",
+       "Hydraulic conductivity at the initial porosity, the same in all directions. It changes with the porosity as "
+       "Kozeny–Carman says."},
+      {"material", "horizontal_permeability", "k_h", "permeability", false, "", 1e-15, 10, R"("2e-3 m/s")",
+       "Hydraulic conductivity along the layers; together with the vertical one, instead of `permeability`."},
+      {"material", "vertical_permeability", "k_v", "permeability", false, "", 1e-15, 10, R"("1e-3 m/s")",
+       "Hydraulic conductivity across the layers."},
+      {"material", "intrinsic_permeability", "κ", "area", false, "", 1e-22, 1e-4, R"("4e-11 m2")",
+       "Of the grain skeleton alone, instead of `permeability`: k = κ ρw g / μ."},
+      {"material", "drag", "", "choice:ergun|darcy|beetstra|gidaspow", false, "ergun", any, infinity, R"("ergun")",
+       "Force between grains and water: Ergun–Forchheimer (quadratic), Darcy (linear), or a law that also holds for "
+       "dilute suspensions."},
+      {"material", "ergun_a", "A", "ratio", false, "150", 1, 1e4, "150", "Ergun's constant of the linear part."},
+      {"material", "ergun_b", "B", "ratio", false, "1.75", 0, 100, "1.75", "Ergun's constant of the quadratic part."},
+      {"material", "fixed", "", "flag", false, "false", any, infinity, "false",
+       "Rigid soil that never moves, such as a porous block."},
+      // ---- soil
+      {"soil", "name", "", "name", false, "", any, infinity, R"("dike")", "For messages and the report."},
+      {"soil", "material", "", "name", true, "", any, infinity, R"("sand")", "Name of a `[[material]]`."},
+      {"soil", "polygon", "", "polygon", false, "", any, infinity,
+       R"([["1 m", "0 m"], ["2 m", "1 m"], ["2.4 m", "1 m"], ["3.8 m", "0 m"]])",
+       "Outline in the section, [x, height] of each corner, in either sense; instead of a box."},
+      {"soil", "box", "", "box", false, "", any, infinity, R"([["0 m", "0 m"], ["4 m", "0.5 m"]])",
+       "Two opposite corners of a rectangle; in 3d [x, y, height] of each, or a rectangle that is extruded."},
+      {"soil", "across", "", "list of length", false, "", any, infinity, R"(["0 m", "1 m"])",
+       "In 3d: the span [from, to] of y across which a polygon is extruded; left out: all of it."},
+      // ---- free_water
+      {"free_water", "name", "", "name", false, "", any, infinity, R"("reservoir")", "For messages and the report."},
+      {"free_water", "polygon", "", "polygon", false, "", any, infinity,
+       R"([["0 m", "0 m"], ["1 m", "0 m"], ["1.8 m", "0.8 m"], ["0 m", "0.8 m"]])", "Outline; instead of a box."},
+      {"free_water", "box", "", "box", false, "", any, infinity, R"([["0 m", "0 m"], ["1 m", "0.8 m"]])",
+       "Two opposite corners."},
+      {"free_water", "across", "", "list of length", false, "", any, infinity, R"(["0 m", "1 m"])",
+       "In 3d: the span [from, to] of y; left out: all of it."},
+      // ---- initial
+      {"initial", "water_table", "", "polyline", false, "", any, infinity, R"([["1.8 m", "0.8 m"], ["3.8 m", "0 m"]])",
+       "Phreatic line in the soil, [x, height] from left to right; it goes on level beyond its ends. Soil below it is "
+       "saturated at the start, soil above it is dry. Left out: all soil is dry."},
+      {"initial", "stress", "σ'", "choice:k0|gravity|none", false, "k0", any, infinity, R"("k0")",
+       "Effective stress at the start: from the weight above and K0 (level ground), by raising gravity (in an initial "
+       "stage), or none."},
+      {"initial", "k0", "K0", "ratio", false, "", 0, 10, "0.5",
+       "Ratio of horizontal to vertical effective stress. Left out: 1 − sin φ' where the law has a friction angle, "
+       "else "
+       "ν/(1 − ν)."},
+      // ---- boundary
+      {"boundary", "name", "", "name", false, "", any, infinity, R"("base")", "For messages and the report."},
+      {"boundary", "side", "", "choice:left|right|base|top|front|back", false, "", any, infinity, R"("base")",
+       "A side of the model; `front` (y = 0) and `back` in 3d only."},
+      {"boundary", "line", "", "polyline", false, "", any, infinity, R"([["2 m", "0 m"], ["2 m", "1.5 m"]])",
+       "Instead of a side: two points of a vertical or horizontal line that lies on the grid."},
+      {"boundary", "soil", "", "choice:none|roller|rough", false, "roller", any, infinity, R"("rough")",
+       "`roller`: no displacement of the soil across it; `rough`: none at all; `none`: the soil does not feel it."},
+      {"boundary", "water", "", "choice:closed|open|reservoir", false, "closed", any, infinity, R"("closed")",
+       "`closed`: no flow; `open`: water passes freely; `reservoir`: the head is given in a region."},
+      {"boundary", "region", "", "polygon", false, "", any, infinity,
+       R"([["0 m", "0 m"], ["0.3 m", "0 m"], ["0.3 m", "1.5 m"], ["0 m", "1.5 m"]])",
+       "Where a reservoir keeps its level."},
+      {"boundary", "head", "H", "table of length", false, "", -1e5, 1e5, R"("0.8 m")",
+       "Water level of a reservoir above y = 0: one value, a hydrograph [[time, level], …], or a CSV file with the "
+       "columns time in s and level in m. Linear between the points, constant beyond."},
+      // ---- stage
+      {"stage", "name", "", "name", true, "", any, infinity, R"("seepage")", "For messages and the report."},
+      {"stage", "duration", "", "time", true, "", 1e-9, 3.2e9, R"("10 s")", "How long it lasts."},
+      {"stage", "initial", "", "flag", false, "false", any, infinity, "false",
+       "Prepares the state at t = 0 and is not part of the event."},
+      {"stage", "ramp", "", "time", false, "0 s", 0, 3.2e9, R"("0.7 s")",
+       "Gravity rises linearly from zero to its value over this time at the start of the stage; 0 s: it acts in full."},
+      {"stage", "damping", "", "frequency", false, "0 1/s", 0, 1e6, R"("10 1/s")",
+       "Viscous damping of the soil's velocity, per unit of mass."},
+      {"stage", "local_damping", "α", "ratio", false, "0", 0, 1, "0.7",
+       "Local damping as a share of the soil's out-of-balance force (Cundall)."},
+      {"stage", "hold_water", "", "flag", false, "false", any, infinity, "false",
+       "Water does not move horizontally, so that a level difference can wait for the next stage."},
+      // ---- monitor
+      {"monitor", "name", "", "name", true, "", any, infinity, R"("toe")", "Heads its column of history.csv."},
+      {"monitor", "kind", "", "choice:point|section|surface|integral", false, "point", any, infinity, R"("point")",
+       "At points, through a section (a line of two points), of the height of a surface at points, or over a region."},
+      {"monitor", "quantity", "",
+       "choice:pressure|porosity|velocity|displacement|effective-stress|water-velocity|discharge|water-surface|"
+       "soil-surface|water-volume|soil-volume|kinetic-energy",
+       true, "", any, infinity, R"("displacement")",
+       "What is recorded. At a point: pressure, porosity, velocity, displacement, effective-stress, water-velocity; "
+       "through "
+       "a section: discharge, pressure; of a surface: water-surface, soil-surface; over a region: water-volume, "
+       "soil-volume, kinetic-energy."},
+      {"monitor", "at", "", "points", false, "", any, infinity, R"([["3.5 m", "0.2 m"]])",
+       "The points; of a section the two ends of the line; of a surface the places where its height is taken."},
+      {"monitor", "region", "", "polygon", false, "", any, infinity,
+       R"([["2 m", "0 m"], ["4 m", "0 m"], ["4 m", "1.5 m"], ["2 m", "1.5 m"]])",
+       "Of an integral; left out: the whole model."},
+      {"monitor", "follows_soil", "", "flag", false, "true", any, infinity, "true",
+       "A point moves with the soil that was there at the start; false: it stays in place."},
+      // ---- output
+      {"output", "history", "", "time", false, "0.1 s", 1e-9, 3.2e9, R"("0.1 s")",
+       "Interval of the rows of history.csv."},
+      {"output", "snapshots", "", "time", false, "1 s", 1e-9, 3.2e9, R"("1 s")",
+       "Interval of the snapshots that the report plays and ParaView opens."},
+      {"output", "pictures", "", "list of time", false, "", 0, 3.2e9, R"(["2 s", "10 s"])",
+       "Instants of the pictures; each is a snapshot too."},
+      {"output", "checkpoint", "", "time", false, "300 s", 1, 1e6, R"("300 s")",
+       "Interval of the checkpoints, in time of the clock on the wall."},
+      // ---- numerics
+      {"numerics", "cfl", "", "ratio", false, "0.8", 0.01, 1, "0.8",
+       "Share of the cell that the drained P-wave crosses in a step."},
+      {"numerics", "pressure_tolerance", "", "ratio", false, "1e-6", 1e-14, 1e-2, "1e-6",
+       "Relative residual at which the pressure is solved."},
+      {"numerics", "fbar", "", "ratio", false, "0.5", 0, 1, "0.5",
+       "Share of the cell's mean in a soil point's change of volume, against locking."},
+      {"numerics", "wet_threshold", "", "ratio", false, "0.5", 0.01, 0.99, "0.5", "Fill above which a cell is wet."},
+      {"numerics", "volume_correction", "", "ratio", false, "0.3", 0, 1, "0.3",
+       "Share of the error of a cell's fill that a step removes by shifting water points."},
+      {"numerics", "split_water", "", "flag", false, "true", any, infinity, "true",
+       "Split water points that have stretched on entering soil."},
+      {"numerics", "max_step", "Δt", "time", false, "", 1e-12, 3.2e9, R"("1e-3 s")",
+       "Upper bound of the time step. Left out: only what stability asks for."},
+      {"numerics", "jitter", "", "ratio", false, "0", 0, 0.5, "0",
+       "Random displacement of the points at the start, as a share of their spacing."},
+      {"numerics", "seed", "", "count", false, "1", 0, 9007199254740992.0, "1", "Of the random numbers."},
+  };
+}
+
+/// The default of a law's parameter as one would write it.
+std::string standard_of(const Parameter& p) {
+  if (p.required || std::isnan(p.standard)) return {};
+  if (const auto words = choices_of(p.quantity); !words.empty()) return words.at(static_cast<std::size_t>(p.standard));
+  const Quantity* quantity = find_quantity(p.quantity);
+  return quantity ? show_measure(p.standard, *quantity) : fmt::format("{:g}", p.standard);
+}
+
+}  // namespace
+
+const std::vector<Section>& case_sections() { return sections; }
+
+const std::vector<Key>& case_keys() {
+  static const std::vector<Key> keys = make_keys();
+  return keys;
+}
+
+std::vector<const Key*> keys_of(std::string_view section) {
+  std::vector<const Key*> found;
+  for (const Key& key : case_keys())
+    if (key.section == section) found.push_back(&key);
+  return found;
+}
+
+const Key* find_key(std::string_view section, std::string_view name) {
+  for (const Key& key : case_keys())
+    if (key.section == section && key.name == name) return &key;
+  return nullptr;
+}
+
+Key law_key(const Parameter& p) {
+  Key key;
+  key.section = "material";
+  key.name = p.key;
+  key.symbol = p.symbol;
+  key.quantity = p.quantity;
+  key.required = p.required;
+  key.standard = standard_of(p);
+  key.doc = p.doc;
+  if (!p.required && !std::isnan(p.standard)) key.preset = p.standard;
+  if (choices_of(p.quantity).empty()) {
+    key.low = p.low;
+    key.high = p.high;
+  }
+  return key;
+}
+
+std::vector<std::string> choices_of(std::string_view quantity) {
+  std::vector<std::string> words;
+  if (!quantity.starts_with("choice:")) return words;
+  quantity.remove_prefix(7);
+  while (true) {
+    const std::size_t bar = quantity.find('|');
+    words.emplace_back(quantity.substr(0, bar));
+    if (bar == std::string_view::npos) return words;
+    quantity.remove_prefix(bar + 1);
+  }
+}
+
+std::string expected(const Key& key) {
+  if (const auto words = choices_of(key.quantity); !words.empty())
+    return fmt::format("one of \"{}\"", fmt::join(words, "\", \""));
+  if (const Quantity* q = find_quantity(key.quantity))
+    return q->unit.empty() ? fmt::format("a ratio such as {}", key.example.empty() ? "0.4" : key.example)
+                           : fmt::format("{} such as \"{}\"", q->article, q->example);
+  const std::string such = key.example.empty() ? "" : " such as " + key.example;
+  if (key.quantity == "flag") return "true or false";
+  if (key.quantity == "count") return "a whole number" + such;
+  if (key.quantity == "polygon") return "a list of at least 3 points" + such;
+  if (key.quantity == "polyline") return "a list of at least 2 points" + such;
+  if (key.quantity == "box") return "two corners" + such;
+  if (key.quantity == "points") return "a list of points" + such;
+  if (key.quantity == "list of length") return "lengths" + such;
+  if (key.quantity == "list of time") return "times" + such;
+  if (key.quantity == "table of length") return "a length, a list of [time, length], or a CSV file" + such;
+  return "a text" + such;
+}
+
+std::string range_of(const Key& key) {
+  std::string_view kind = key.quantity;
+  if (const auto of = kind.find(" of "); of != std::string_view::npos) kind.remove_prefix(of + 4);
+  const Quantity* quantity = find_quantity(kind);
+  const auto show = [&](double value) {
+    return quantity ? show_measure(value, *quantity) : fmt::format("{:.16g}", value);
+  };
+  const bool below = std::isfinite(key.low), above = std::isfinite(key.high);
+  if (below && above) return fmt::format("between {} and {}", show(key.low), show(key.high));
+  if (below) return "at least " + show(key.low);
+  if (above) return "at most " + show(key.high);
+  return {};
+}
+
+}  // namespace polder

@@ -1,0 +1,33 @@
+#pragma once
+// A case file's sections, read key by key: the step between the document and the model. Lists run parallel to the
+// model's.
+#include <vector>
+
+#include "polder/case/fields.hpp"
+#include "polder/case/model.hpp"
+
+namespace polder {
+
+struct Sections {
+  Fields model, water, initial, output, numerics;
+  std::vector<Fields> materials, soils, free_water, boundaries, stages, monitors;
+  std::vector<const LawDescription*> laws;  ///< of the materials; nullptr where unknown
+};
+
+Sections read_sections(const Value& document, Diagnostics& diagnostics);
+
+/// Density and porosity of a material from whichever of ρs, n, e, γ_unsat, γ_sat are given; permeability from whichever
+/// of k, k_h and k_v, κ. Contradictions and gaps are reported.
+void settle_phases(const Fields& fields, const WaterProperties& water, MaterialInput& material,
+                   Diagnostics& diagnostics);
+void settle_permeability(const Fields& fields, const WaterProperties& water, double gravity, MaterialInput& material,
+                         Diagnostics& diagnostics);
+
+/// What no single key can tell: bodies outside the model or on top of each other, a grid that does not fit, names that
+/// nobody has… Snaps sizes and lines to the grid where they are within round-off of it.
+void check_model(const Sections& sections, Model& model, Diagnostics& diagnostics);
+
+/// What may be written but cannot be computed by this version.
+void check_limits(const Sections& sections, const Model& model, Diagnostics& diagnostics);
+
+}  // namespace polder
