@@ -19,14 +19,20 @@ enum class DilatancyRule { critical_state, constant };
 struct Dilatancy {
   double tangent, start, slope;
 
+  /// tan ψ/tan ψ₀ at porosity n.
+  POLDER_INLINE double share(double porosity) const {
+    const double line = start - slope * porosity;
+    return line < 0 ? 0.0 : (line > 1 ? 1.0 : line);
+  }
   /// m = (1 + sin ψ)/(1 − sin ψ) = (√(1 + tan²ψ) + tan ψ)² at porosity n.
   POLDER_INLINE double ratio(double porosity) const {
-    const double share = start - slope * porosity;
-    const double t = tangent * (share < 0 ? 0.0 : (share > 1 ? 1.0 : share));
+    const double t = tangent * share(porosity);
     const double root = std::sqrt(1 + t * t) + t;
     return root * root;
   }
 };
+
+inline constexpr Dilatancy no_dilatancy{0, 1, 0};
 
 /// Cells across a shear band on the grid (measured: 3.5–4.8).
 inline constexpr double band_cells = 4;
@@ -42,7 +48,7 @@ inline Dilatancy make_dilatancy(DilatancyRule rule, double angle, double critica
   if (rule == DilatancyRule::constant) return {std::tan(angle), 1, 0};
   const double n0 = context.initial_porosity;
   const double room = critical_porosity_or_standard(critical_porosity, context) - n0;
-  if (room <= 0) return {0, 1, 0};  // as loose as the critical state from the start: nothing left to dilate
+  if (room <= 0) return no_dilatancy;  // as loose as the critical state from the start: nothing left to dilate
   const double band = context.cell_size > 0 ? std::min(1.0, band_width / (band_cells * context.cell_size)) : 1.0;
   const double reach = room * band;
   return {std::tan(angle), (n0 + reach) / reach, 1 / reach};

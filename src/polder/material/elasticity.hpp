@@ -1,6 +1,7 @@
 #pragma once
 // Isotropic linear elasticity of the soil skeleton, as every law with constant moduli uses it.
 #include "polder/material/law.hpp"
+#include "polder/material/principal.hpp"
 
 namespace polder {
 
@@ -25,6 +26,15 @@ void add_elastic_stress(const Elasticity& elasticity, StressBatch<N>& batch) {
     for (int k = 0; k < 3; ++k) batch.stress[k][i] += volume + twice_shear * batch.strain[k][i];
     for (int k = 3; k < N; ++k) batch.stress[k][i] += twice_shear * batch.strain[k][i];
   }
+}
+
+/// The stress of one point.
+POLDER_INLINE Tensor tensor_at(const StressBatch<4>& batch, int i) {
+  return {batch.stress[0][i], batch.stress[1][i], batch.stress[2][i], batch.stress[3][i], 0, 0};
+}
+POLDER_INLINE Tensor tensor_at(const StressBatch<6>& batch, int i) {
+  return {batch.stress[0][i], batch.stress[1][i], batch.stress[2][i],
+          batch.stress[3][i], batch.stress[4][i], batch.stress[5][i]};
 }
 
 inline constexpr Parameter young_modulus_parameter{

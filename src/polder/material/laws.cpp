@@ -3,7 +3,15 @@
 #include "polder/material/law.hpp"
 
 // The laws that the program knows, one line a law: the name of the function that describes it, in its own file.
-#define POLDER_SOIL_LAWS(law) law(linear_elastic) law(mohr_coulomb)
+// clang-format off
+#define POLDER_SOIL_LAWS(law) \
+  law(linear_elastic)         \
+  law(mohr_coulomb)           \
+  law(softening_mohr_coulomb) \
+  law(tresca)                 \
+  law(drucker_prager)         \
+  law(modified_cam_clay)
+// clang-format on
 
 namespace polder {
 

@@ -71,8 +71,7 @@ POLDER_INLINE void return_point(StressBatch<4>& batch, int i, const MohrCoulombS
 /// The same in three dimensions.
 POLDER_INLINE void return_point(StressBatch<6>& batch, int i, const MohrCoulombStrength& strength, double dilation,
                                 const Elasticity& elasticity) {
-  const Tensor trial_stress{batch.stress[0][i], batch.stress[1][i], batch.stress[2][i],
-                            batch.stress[3][i], batch.stress[4][i], batch.stress[5][i]};
+  const Tensor trial_stress = tensor_at(batch, i);
   const Vector3 v = separated_axis(trial_stress), u = perpendicular(v), w = cross(v, u);
   const Vector3 on_u = product(trial_stress, u), on_w = product(trial_stress, w);
   const double axial = dot(v, product(trial_stress, v));

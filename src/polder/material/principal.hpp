@@ -80,20 +80,42 @@ POLDER_INLINE double cubic_newton(double t, double twice_r) {
   return t - (t * (t * t - 3) - twice_r) / (3 * (t * t - 1));
 }
 
+/// A deviator by its size and its outermost principal value.
+struct OuterRoot {
+  double mean;     ///< of the tensor
+  double size;     ///< √(J₂/3)
+  double inverse;  ///< 1/size; 1 where there is no deviator
+  double root;  ///< t: the principal value of largest magnitude of B = dev/size, |t| in [√3, 2]; its sign says which
+};
+
+POLDER_INLINE OuterRoot outer_root(const Tensor& s) {
+  const double mean = (s.xx + s.yy + s.zz) * (1.0 / 3.0);
+  const double xx = s.xx - mean, yy = s.yy - mean, zz = s.zz - mean;
+  const double size =
+      std::sqrt((xx * xx + yy * yy + zz * zz) * (1.0 / 6.0) + (s.xy * s.xy + s.yz * s.yz + s.zx * s.zx) * (1.0 / 3.0));
+  const double inverse = 1.0 / (size < 1e-100 ? 1.0 : size);
+  const double determinant =
+      (xx * (yy * zz - s.yz * s.yz) - s.xy * (s.xy * zz - s.yz * s.zx) + s.zx * (s.xy * s.yz - yy * s.zx)) * inverse *
+      inverse * inverse;
+  const double twice_r = std::abs(determinant);
+  const double parabola = 1.7320508075688772 + twice_r * (0.16666666666666667 - 0.01634603522555 * twice_r);
+  const double t = cubic_newton(cubic_newton(cubic_newton(parabola, twice_r), twice_r), twice_r);
+  return {mean, size, inverse, determinant < 0 ? -t : t};
+}
+
+/// Largest minus smallest principal value, without directions (relative error up to 1e-8 near equal values).
+POLDER_INLINE double principal_span(const Tensor& s) {
+  const OuterRoot outer = outer_root(s);
+  const double t = std::abs(outer.root), rest = 12 - 3 * t * t;
+  return outer.size * 0.5 * (3 * t + std::sqrt(rest > 0 ? rest : 0.0));
+}
+
 /// The unit eigenvector whose eigenvalue is best separated from the others; x where all are equal.
 POLDER_INLINE Vector3 separated_axis(const Tensor& s) {
-  const double mean = (s.xx + s.yy + s.zz) * (1.0 / 3.0);
-  Tensor b{s.xx - mean, s.yy - mean, s.zz - mean, s.xy, s.yz, s.zx};
-  const double size = std::sqrt(
-      (b.xx * b.xx + b.yy * b.yy + b.zz * b.zz + 2 * (b.xy * b.xy + b.yz * b.yz + b.zx * b.zx)) * (1.0 / 6.0));
-  const double inverse = 1.0 / (size < 1e-150 ? 1.0 : size);
-  b = {b.xx * inverse, b.yy * inverse, b.zz * inverse, b.xy * inverse, b.yz * inverse, b.zx * inverse};
-  const double determinant =
-      b.xx * (b.yy * b.zz - b.yz * b.yz) - b.xy * (b.xy * b.zz - b.yz * b.zx) + b.zx * (b.xy * b.yz - b.yy * b.zx);
-  const double twice_r = std::abs(determinant);
-  double t = 1.7320508075688772 + twice_r * (0.16666666666666667 - 0.01634603522555 * twice_r);
-  t = cubic_newton(cubic_newton(cubic_newton(t, twice_r), twice_r), twice_r);
-  t = determinant < 0 ? -t : t;
+  const OuterRoot outer = outer_root(s);
+  const double t = outer.root, f = outer.inverse;
+  const Tensor b{
+      (s.xx - outer.mean) * f, (s.yy - outer.mean) * f, (s.zz - outer.mean) * f, s.xy * f, s.yz * f, s.zx * f};
   // Rows of B − tI span the plane across the eigenvector; the longest of their cross products is the safest.
   const Vector3 row_x{b.xx - t, b.xy, b.zx}, row_y{b.xy, b.yy - t, b.yz}, row_z{b.zx, b.yz, b.zz - t};
   const Vector3 xy = cross(row_x, row_y), yz = cross(row_y, row_z), zx = cross(row_z, row_x);
