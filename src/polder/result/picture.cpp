@@ -154,7 +154,7 @@ PictureField picture_field(std::string_view name) {
 
 std::vector<PictureField> standard_pictures(const Frame& frame) {
   std::vector<PictureField> fields;
-  for (const char* name : {"porosity", "pore_pressure", "deviatoric_strain", "displacement", "velocity"})
+  for (const std::string_view name : standard_fields)
     if (frame.soil.find(name) || frame.water.find(name)) fields.push_back(picture_field(name));
   return fields;
 }

@@ -2,6 +2,7 @@
 // Pictures of a frame: the points at their true size, coloured by one quantity, with scales in metres, a colour bar,
 // the outline at the start, walls and the free surface. In 3d the picture is the section through the middle of the
 // model across its depth.
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,8 +27,11 @@ struct PictureField {
 /// The usual way to show a field, by its name.
 PictureField picture_field(std::string_view name);
 
-/// The five quantities of an ordinary run: porosity, pore pressure, deviatoric strain, displacement, velocity; those
-/// of them that the frame has.
+/// The quantities that pictures show unless told otherwise.
+inline constexpr std::array<std::string_view, 5> standard_fields{"porosity", "pore_pressure", "deviatoric_strain",
+                                                                 "displacement", "velocity"};
+
+/// Those of `standard_fields` that the frame has.
 std::vector<PictureField> standard_pictures(const Frame& frame);
 
 struct PictureStyle {
