@@ -18,12 +18,13 @@ double driving_force(std::span<const Slice> slices, double direction, const Poin
 double shear_resistance(std::span<const Slice> slices, double factor) {
   double sum = 0;
   for (const Slice& slice : slices) {
-    const double steepest = std::atan(slice.tan_friction) / 2 - std::numbers::pi / 4;
-    const double angle = slice.tan_friction > 0 ? std::max(slice.angle, steepest) : slice.angle;
-    const double m = std::cos(angle) + std::sin(angle) * slice.tan_friction / factor;
-    const double resistance =
-        (slice.cohesion * slice.width + (slice.vertical - slice.pore_pressure * slice.width) * slice.tan_friction) / m;
-    sum += std::max(0.0, resistance);
+    const double sin_a = std::sin(slice.angle), mobilised = slice.tan_friction / factor;
+    const double steepest = std::atan(mobilised) / 2 - std::numbers::pi / 4;
+    const double m = slice.angle > steepest ? std::cos(slice.angle) + sin_a * mobilised
+                                            : std::cos(steepest) + std::sin(steepest) * mobilised;
+    const double adhesion = slice.cohesion * slice.length;
+    const double normal = (slice.vertical - slice.pore_pressure * slice.width - adhesion * sin_a / factor) / m;
+    sum += adhesion + std::max(0.0, normal) * slice.tan_friction;
   }
   return sum;
 }

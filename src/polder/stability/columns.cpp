@@ -172,7 +172,9 @@ double free_water_pressure(const PreparedSection& prepared, double x) {
 }
 
 double pore_pressure(const PreparedSection& prepared, double x, double z) {
-  return pore_pressure(prepared.section.water, x, z);
+  const Section& section = prepared.section;
+  if (!section.pressures.empty()) return pore_pressure(section.pressures, section.water.max_suction, x, z);
+  return pore_pressure(section.water, x, z);
 }
 
 LoadStress load_stress(const PreparedSection& prepared, double x, double z, double width, int layer) {

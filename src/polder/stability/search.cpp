@@ -126,10 +126,13 @@ SearchResult Trials::finish(const SlipSurface* surface) const {
     return result;
   }
   result.surface = *surface;
-  result.slices = cut_slices(prepared, *surface, options.final_slices);
-  result.equilibrium = method(result.slices, *surface);
-  if (!result.slices) result.problem = result.slices.problem;
-  if (!result.equilibrium) result.problem = result.equilibrium.problem;
+  for (const int number : {options.final_slices, options.slices}) {  // the trial's own slices are known to work
+    result.slices = cut_slices(prepared, *surface, number);
+    if (!result.slices) continue;
+    result.equilibrium = method(result.slices, *surface);
+    if (result.equilibrium) return result;
+  }
+  result.problem = result.slices ? result.equilibrium.problem : result.slices.problem;
   return result;
 }
 

@@ -8,11 +8,22 @@
 
 namespace polder::stability {
 
+/// Pore pressures sampled on an even grid (from a seepage computation), Pa; interpolated bilinearly, its edge values
+/// beyond its edges.
+struct PressureGrid {
+  Point corner{0, 0};                   ///< m, lower left sample
+  double spacing_x = 1, spacing_z = 1;  ///< m
+  int count_x = 0, count_z = 0;
+  std::vector<double> pressure;  ///< row by row from below
+  bool empty() const { return pressure.empty(); }
+};
+
 struct Section {
   std::string name;
   std::vector<Soil> soils;
   std::vector<Layer> layers;
   WaterNet water;
+  PressureGrid pressures;  ///< where given, replaces the pressures of the water net (its phreatic line still counts)
   std::vector<StatePoint> state_points;
   std::vector<StateLine> state_lines;
   std::vector<StripLoad> strip_loads;

@@ -11,7 +11,8 @@
 namespace polder::stability {
 namespace {
 
-constexpr double sliver = 1e-7;  // m; edges closer than this are one
+constexpr double sliver = 1e-7;     // m; edges closer than this are one
+constexpr double at_bottom = 5e-3;  // m; a surface may graze the base of the section by this much
 
 void sort_edges(std::vector<double>& edges) {
   std::sort(edges.begin(), edges.end());
@@ -70,7 +71,7 @@ double crack_end(const PreparedSection& prepared, const SlipSurface& surface, do
 
 void add_forces(const PreparedSection& prepared, double direction, Slice& slice) {
   const Section& section = prepared.section;
-  const double x = slice.middle(), base = slice.base();
+  const double x = slice.middle(), base = std::max(slice.base(), bottom_level(prepared, slice.middle()));
   const int layer = layer_at(prepared, x, base);
   slice.weight = soil_weight(prepared, x, base) * slice.width;
   const LoadStress load = load_stress(prepared, x, base, slice.width, layer);
@@ -152,7 +153,7 @@ Slices cut_slices(const PreparedSection& prepared, const SlipSurface& surface, i
       slices.problem = fmt::format("the surface comes out of the ground at x = {:.2f} m", slice.middle());
       return slices;
     }
-    if (slice.base() < bottom_level(prepared, slice.middle()) - 1e-6) {
+    if (slice.base() < bottom_level(prepared, slice.middle()) - at_bottom) {
       slices.problem = fmt::format("the surface leaves the section at its base at x = {:.2f} m", slice.middle());
       return slices;
     }

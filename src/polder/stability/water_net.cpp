@@ -35,4 +35,15 @@ double pore_pressure(const WaterNet& net, double x, double z) {
   return std::max(pressure, -net.max_suction);
 }
 
+double pore_pressure(const PressureGrid& grid, double max_suction, double x, double z) {
+  const double i = std::clamp((x - grid.corner[0]) / grid.spacing_x, 0.0, grid.count_x - 1.000001);
+  const double j = std::clamp((z - grid.corner[1]) / grid.spacing_z, 0.0, grid.count_z - 1.000001);
+  const auto column = static_cast<std::size_t>(i), row = static_cast<std::size_t>(j);
+  const double u = i - static_cast<double>(column), v = j - static_cast<double>(row);
+  const double* below = &grid.pressure[row * static_cast<std::size_t>(grid.count_x) + column];
+  const double* above = below + grid.count_x;
+  const double pressure = (1 - v) * ((1 - u) * below[0] + u * below[1]) + v * ((1 - u) * above[0] + u * above[1]);
+  return std::max(pressure, -max_suction);
+}
+
 }  // namespace polder::stability

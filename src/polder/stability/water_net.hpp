@@ -7,4 +7,7 @@ namespace polder::stability {
 /// Pore pressure at (x, z), Pa. Above the phreatic line: 0, or suction (negative) down to −max_suction.
 double pore_pressure(const WaterNet& net, double x, double z);
 
+/// Pore pressure of the grid at (x, z), Pa, suction down to −max_suction.
+double pore_pressure(const PressureGrid& grid, double max_suction, double x, double z);
+
 }  // namespace polder::stability
