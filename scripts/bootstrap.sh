@@ -26,8 +26,8 @@ missing_packages() {
 # need SECTION...: installs what is missing of these sections, or says what to ask for and stops.
 need() {
   command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
-    die "Polder's set-up knows Debian and Ubuntu. Please install the counterparts of these Debian packages, then" \
-      "build with cmake --preset release && cmake --build --preset release:" $'\n'"$(packages "$@")"
+    die "Polder's set-up knows Debian and Ubuntu. Elsewhere, install the counterparts of these Debian packages:"$'\n\n'\
+"$(packages "$@")"$'\n\n'"then build with: cmake --preset release && cmake --build --preset release --target polder"
   local missing as_root=()
   mapfile -t missing < <(missing_packages "$@")
   [ ${#missing[@]} -gt 0 ] || return 0
@@ -35,8 +35,8 @@ need() {
     if command -v sudo >/dev/null && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then
       as_root=(sudo)
     else
-      die "Some packages are missing, and installing them takes root. Please run, or ask for:"$'\n' \
-        "apt-get update && apt-get install -y --no-install-recommends ${missing[*]}"
+      say "Some packages are missing, and installing them takes root. Please run, or ask for:"
+      die "apt-get update && apt-get install -y --no-install-recommends ${missing[*]}"
     fi
   fi
   say "Installing ${missing[*]}"
