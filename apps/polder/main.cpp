@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "commands.hpp"
+#include "polder/case/diagnostic.hpp"
 
 namespace {
 
@@ -14,14 +15,22 @@ int report(int status, const std::string& message) {
   return status;
 }
 
+std::string unknown_command(const CLI::App& polder, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : polder.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  const std::string meant = polder::nearest(word, names);
+  return "unknown command '" + word + "'" + (meant.empty() ? "" : "; did you mean '" + meant + "'?");
+}
+
 /// CLI11 throws for --help and --version, too; those print to stdout and are no error.
 int explain(const CLI::App& polder, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return polder.exit(error);
   std::string message = error.what(), help = "polder";
   for (const CLI::App* command : polder.get_subcommands()) help += " " + command->get_name();
   const std::vector<std::string> unknown = polder.remaining();
-  if (polder.get_subcommands().empty() && !unknown.empty()) message = "unknown command '" + unknown.front() + "'";
-  return report(status_wrong_input, message + "; '" + help + " --help' says what is expected");
+  if (polder.get_subcommands().empty() && !unknown.empty()) message = unknown_command(polder, unknown.front());
+  return report(status_wrong_input, message + "\n'" + help + " --help' says what is expected");
 }
 
 int start(int argc, char** argv) {

@@ -11,8 +11,12 @@ expect 2 polder
 has "$out" "Usage: polder"
 
 expect 2 polder no-such-command
-has "$err" "polder: unknown command 'no-such-command'; 'polder --help' says what is expected"
+has "$err" "polder: unknown command 'no-such-command'"
+has "$err" "'polder --help' says what is expected"
 [ -z "$out" ] || fail "errors go to stderr"
+
+expect 2 polder complete
+has "$err" "unknown command 'complete'; did you mean 'completion'?"
 
 expect 2 polder completion fish
 has "$err" "polder completion --help"
