@@ -15,8 +15,8 @@ has "$err" "polder: unknown command 'no-such-command'"
 has "$err" "'polder --help' says what is expected"
 [ -z "$out" ] || fail "errors go to stderr"
 
-expect 2 polder complete
-has "$err" "unknown command 'complete'; did you mean 'completion'?"
+expect 2 polder completin
+has "$err" "unknown command 'completin'; did you mean 'completion'?"
 
 expect 2 polder completion fish
 has "$err" "polder completion --help"
