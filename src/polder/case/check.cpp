@@ -247,7 +247,7 @@ void check_boundaries(const Checking& c) {
     const Fields& f = c.sections.boundaries[i];
     const bool reservoir = b.water == WaterCondition::reservoir;
     const int places = f.is_given("side") + f.is_given("line") + f.is_given("region");
-    if (places != 1)
+    if (places != 1 && !(reservoir && places == 0))  // check_reservoir asks for the region
       report(c.diagnostics, f.place, f.path, places == 0 ? "has no place" : "has more than one place",
              "give one of side, line, and region (of a reservoir)");
     else if (f.is_given("region") && !reservoir)
@@ -313,7 +313,8 @@ void check_monitors(const Checking& c) {
           std::string_view(quantities).find("|" + monitor.quantity + "|") == std::string_view::npos) {
         std::string known = std::string(quantities).substr(1);
         known.pop_back();
-        std::replace(known.begin(), known.end(), '|', ',');
+        for (std::size_t bar = known.find('|'); bar != std::string::npos; bar = known.find('|'))
+          known.replace(bar, 1, ", ");
         report(c.diagnostics, f.place_of("quantity"), f.path_of("quantity"),
                fmt::format("\"{}\" cannot be recorded by a monitor of kind \"{}\"", monitor.quantity, kind),
                fmt::format("that kind takes {}", known));
@@ -325,7 +326,8 @@ void check_monitors(const Checking& c) {
     if (!integral && !f.is_given("at"))
       report(c.diagnostics, f.place, f.path_of("at"), "missing", "say where: at = [[\"1 m\", \"0.5 m\"]]");
     if (monitor.kind == MonitorKind::section && f.find("at") && monitor.at.size() != 2)
-      report(c.diagnostics, f.place_of("at"), f.path_of("at"), fmt::format("has {} points", monitor.at.size()),
+      report(c.diagnostics, f.place_of("at"), f.path_of("at"),
+             fmt::format("has {} point{}", monitor.at.size(), monitor.at.size() == 1 ? "" : "s"),
              "a section is a line of two points");
     if (integral && f.find("region") && c.has_grid()) check_region(c, monitor.region, f, "region");
     if (const Field* at = f.find("at"); at && c.has_grid())

@@ -64,22 +64,13 @@ std::string plain(std::string_view message) {
 }
 
 Value parse(const std::string& path, Diagnostics& diagnostics) {
-  Place whole{path, 0, 0, {}};
-  Value root;
-  root.place = whole;
   std::ifstream file(path);
   std::ostringstream text;
-  if (fs::is_directory(path) || !file || !(text << file.rdbuf())) {
-    report(diagnostics, whole, {}, "cannot be read", "is the path right, and may the file be read?");
-    return root;
-  }
-  try {
-    return tree_of(toml::parse(text.str(), path), whole);
-  } catch (const toml::parse_error& error) {
-    report(diagnostics, place_of(error.source(), whole), {}, "not valid TOML: " + plain(error.description()),
-           "see docs/case-file.md for how a case is written");
-    return root;
-  }
+  if (!fs::is_directory(path) && file && (text << file.rdbuf())) return read_document(text.str(), path, diagnostics);
+  Value nothing;
+  nothing.place.file = path;
+  report(diagnostics, nothing.place, {}, "cannot be read", "is the path right, and may the file be read?");
+  return nothing;
 }
 
 const std::string* name_of_entry(const Value& entry) {
@@ -261,6 +252,19 @@ std::string_view name_of(Value::Kind kind) {
       return "a section";
   }
   return "";
+}
+
+Value read_document(const std::string& text, const std::string& name, Diagnostics& diagnostics) {
+  const Place whole{name, 0, 0, {}};
+  try {
+    return tree_of(toml::parse(text, name), whole);
+  } catch (const toml::parse_error& error) {
+    report(diagnostics, place_of(error.source(), whole), {}, "not valid TOML: " + plain(error.description()),
+           "see docs/case-file.md for how a case is written");
+  }
+  Value nothing;
+  nothing.place = whole;
+  return nothing;
 }
 
 Value load_document(const std::string& path, const std::vector<std::string>& overrides, Diagnostics& diagnostics) {

@@ -34,6 +34,9 @@ struct Member {
 /// "a text", "a number", "a list"…, for messages.
 std::string_view name_of(Value::Kind kind);
 
+/// A text that is not in a file; `name` stands for the file in messages.
+Value read_document(const std::string& text, const std::string& name, Diagnostics& diagnostics);
+
 /// Reads `path` and the files that it is based on, and applies `overrides` ("model.cell=0.025 m"). A table of the file
 /// overrides its base's key by key; a list of tables (`[[material]]`) entry by entry where every entry has a `name`,
 /// else as a whole. An override's path names an entry by its name or by its number, counted from 1.

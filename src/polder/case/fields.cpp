@@ -105,8 +105,9 @@ bool read_points(const Reading& r, const Value& value, std::size_t least, std::s
         item.kind == Value::Kind::list && (item.items.size() == 2 || (solid && item.items.size() == 3));
     if (!right_size) {
       r.fail(item,
-             item.kind == Value::Kind::list ? fmt::format("a point with {} coordinates", item.items.size())
-                                            : fmt::format("is {}; a point is needed", name_of(item.kind)),
+             item.kind == Value::Kind::list
+                 ? fmt::format("a point with {} coordinate{}", item.items.size(), item.items.size() == 1 ? "" : "s")
+                 : fmt::format("is {}; a point is needed", name_of(item.kind)),
              solid ? "a point is [x, height], in 3d [x, y, height]" : "a point is [x, height]");
       good = false;
       continue;
@@ -296,13 +297,18 @@ Value standard_value(const Key& key, const Place& place) {
 }
 
 std::string remedy_for_unknown(const std::string& name, const std::vector<const Key*>& keys) {
-  std::vector<std::string> names;
-  for (const Key* key : keys) names.push_back(key->name);
-  if (const std::string near = nearest(name, names); !near.empty()) return fmt::format("did you mean \"{}\"?", near);
+  std::vector<std::string_view> laws;
+  for (const LawDescription& law : soil_laws())
+    for (const Parameter& parameter : law.parameters)
+      if (parameter.key == name) laws.push_back(law.name);
+  if (!laws.empty()) return fmt::format("\"{}\" is a parameter of the soil laws {}", name, fmt::join(laws, ", "));
   for (const Section& section : case_sections())
     if (find_key(section.name, name))
       return fmt::format(fmt::runtime(section.list ? "\"{}\" is a key of [[{}]]" : "\"{}\" is a key of [{}]"), name,
                          section.name);
+  std::vector<std::string> names;
+  for (const Key* key : keys) names.push_back(key->name);
+  if (const std::string near = nearest(name, names); !near.empty()) return fmt::format("did you mean \"{}\"?", near);
   return fmt::format("known here: {}", fmt::join(names, ", "));
 }
 

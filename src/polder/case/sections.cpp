@@ -76,7 +76,8 @@ void refuse_duplicate_names(const std::vector<Fields>& entries, Diagnostics& dia
       }
 }
 
-/// A material's keys are the section's and those of its law. Of an unknown law any law's keys pass.
+/// A material's keys are the section's and those of its law. Of an unknown law any law's keys pass. Where a variant
+/// changes the law of its base, what the base says to its own law falls away.
 Fields read_material(const Value& table, const std::string& path, const LawDescription*& law,
                      Diagnostics& diagnostics) {
   std::vector<const Key*> keys = keys_of("material");
@@ -88,9 +89,10 @@ Fields read_material(const Value& table, const std::string& path, const LawDescr
     for (const Parameter& parameter : known.parameters) {
       if (&known == law)
         own.push_back(law_key(parameter));
-      else if (!law)
+      else if (const Value* given = table.find(parameter.key); !law || (given && given->place.file != name->place.file))
         ignored.emplace(parameter.key);
     }
+  for (const Key& key : own) ignored.erase(key.name);
   for (const Key& key : own) keys.push_back(&key);
   if (!law && name && name->kind == Value::Kind::text) {
     std::vector<std::string> laws;

@@ -183,7 +183,8 @@ Measured read_measure(std::string_view text, const Quantity& quantity) {
   if (!rest.empty() && rest.front() == '+') rest.remove_prefix(1);
   double number = 0;
   const auto [end, status] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
-  if (status != std::errc() || !std::isfinite(number)) return {0, "does not start with a number"};
+  if (status == std::errc::invalid_argument) return {0, "does not start with a number"};
+  if (status != std::errc() || !std::isfinite(number)) return {0, "is not a finite number"};
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
   if (rest.starts_with(',')) return {0, "has a comma; the decimal mark is a point"};
   const Product unit = read_units(rest);

@@ -1,0 +1,34 @@
+#include "polder/case/estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "polder/material/law.hpp"
+
+namespace polder {
+
+std::size_t cell_count(const Model& model) {
+  std::size_t count = 1;
+  const std::size_t axes = model.space == SpaceKind::solid ? 3 : 2;
+  for (std::size_t k = 0; k < axes; ++k) count *= static_cast<std::size_t>(std::llround(model.size[k] / model.cell[k]));
+  return count;
+}
+
+double estimated_step(const Model& model) {
+  const std::size_t axes = model.space == SpaceKind::solid ? 3 : 2;
+  const double cell = *std::min_element(model.cell.begin(), model.cell.begin() + axes);
+  const double height = model.size[axes - 1];
+  double step = 0.5 * cell / std::sqrt(2 * std::max(model.gravity, 1e-12) * height);
+  for (const SoilBody& soil : model.soils) {
+    const MaterialInput& material = model.materials[static_cast<std::size_t>(soil.material)];
+    if (material.fixed) continue;
+    const double bulk_density = (1 - material.porosity) * material.grain_density;
+    const auto law =
+        find_soil_law(material.law)->make(material.law_parameters, {cell, material.porosity, material.max_porosity});
+    const double modulus = law->constrained_modulus(bulk_density * model.gravity * height);
+    step = std::min(step, model.numerics.cfl * cell / std::sqrt(modulus / bulk_density));
+  }
+  return std::min(step, model.numerics.max_step);
+}
+
+}  // namespace polder

@@ -1,0 +1,16 @@
+#pragma once
+// What a case will cost, before it runs.
+#include <cstddef>
+
+#include "polder/case/model.hpp"
+
+namespace polder {
+
+/// Cells of the grid.
+std::size_t cell_count(const Model& model);
+
+/// s, the time step at which a run will start, about: cfl · h / c with c the drained P-wave of the stiffest soil,
+/// √(M / ((1 − n) ρs)), and half a cell of a free fall from the top of the model where there is no soil.
+double estimated_step(const Model& model);
+
+}  // namespace polder

@@ -1,0 +1,132 @@
+#include "polder/case/model_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "polder/case/schema.hpp"
+
+namespace polder {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The word of a "choice:…" key.
+std::string word(std::string_view section, std::string_view key, int index) {
+  return choices_of(find_key(section, key)->quantity).at(static_cast<std::size_t>(index));
+}
+
+/// JSON knows no infinity.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json region_json(const Region& region) {
+  Json json{{"polygon", region.polygon}};
+  if (std::isfinite(region.across[0])) json["across"] = region.across;
+  return json;
+}
+
+Json with_name(Json json, const std::string& name) {
+  if (!name.empty()) json["name"] = name;
+  return json;
+}
+
+Json material_json(const MaterialInput& m) {
+  Json json{{"name", m.name},
+            {"law", m.law},
+            {"grain_density", m.grain_density},
+            {"porosity", m.porosity},
+            {"max_porosity", m.max_porosity},
+            {"drag", word("material", "drag", static_cast<int>(m.drag))},
+            {"ergun_a", m.ergun_a},
+            {"ergun_b", m.ergun_b},
+            {"fixed", m.fixed}};
+  if (m.grain_diameter > 0) json["grain_diameter"] = m.grain_diameter;
+  if (m.permeability) {
+    json["horizontal_permeability"] = (*m.permeability)[0];
+    json["vertical_permeability"] = (*m.permeability)[1];
+  }
+  const LawDescription* law = find_soil_law(m.law);
+  for (std::size_t i = 0; law && i < m.law_parameters.size(); ++i) {
+    const Parameter& parameter = law->parameters[i];
+    const auto words = choices_of(parameter.quantity);
+    json[std::string(parameter.key)] =
+        words.empty() ? number(m.law_parameters[i]) : Json(words.at(static_cast<std::size_t>(m.law_parameters[i])));
+  }
+  return json;
+}
+
+Json boundary_json(const Boundary& b) {
+  Json json{{"name", b.name}};
+  if (b.side) json["side"] = word("boundary", "side", static_cast<int>(*b.side));
+  if (!b.line.empty()) json["line"] = b.line;
+  json["soil"] = word("boundary", "soil", static_cast<int>(b.soil));
+  json["water"] = word("boundary", "water", static_cast<int>(b.water));
+  if (!b.region.polygon.empty()) json["region"] = b.region.polygon;
+  for (std::size_t i = 0; i < b.head.x.size(); ++i) json["head"].push_back({b.head.x[i], b.head.y[i]});
+  return json;
+}
+
+Json stage_json(const Stage& s) {
+  return {{"name", s.name},       {"duration", s.duration},           {"initial", s.initial},      {"ramp", s.ramp},
+          {"damping", s.damping}, {"local_damping", s.local_damping}, {"hold_water", s.hold_water}};
+}
+
+Json monitor_json(const Monitor& m) {
+  Json json{{"name", m.name}, {"kind", word("monitor", "kind", static_cast<int>(m.kind))}, {"quantity", m.quantity}};
+  if (!m.at.empty()) json["at"] = m.at;
+  if (!m.region.polygon.empty()) json["region"] = m.region.polygon;
+  json["follows_soil"] = m.follows_soil;
+  return json;
+}
+
+}  // namespace
+
+Json case_json(const Model& model) {
+  const std::ptrdiff_t axes = model.space == SpaceKind::solid ? 3 : 2;
+  const auto per_axis = [&](const std::array<double, 3>& v) {
+    return std::vector<double>(v.begin(), v.begin() + axes);
+  };
+  Json json{{"name", model.name}, {"file", model.file}};
+  json["model"] = {{"title", model.title},         {"space", word("model", "space", static_cast<int>(model.space))},
+                   {"size", per_axis(model.size)}, {"cell", per_axis(model.cell)},
+                   {"gravity", model.gravity},     {"points_per_axis", model.points_per_axis}};
+  json["water"] = {{"density", model.water.density},
+                   {"bulk_modulus", model.water.bulk_modulus},
+                   {"viscosity", model.water.viscosity}};
+  json["material"] = Json::array();
+  for (const MaterialInput& m : model.materials) json["material"].push_back(material_json(m));
+  json["soil"] = Json::array();
+  for (const SoilBody& s : model.soils) {
+    Json soil{{"material", model.materials.at(static_cast<std::size_t>(s.material)).name}};
+    soil.update(region_json(s.region));
+    json["soil"].push_back(with_name(soil, s.name));
+  }
+  json["free_water"] = Json::array();
+  for (const FreeWaterBody& w : model.free_water)
+    json["free_water"].push_back(with_name(region_json(w.region), w.name));
+  json["initial"] = {{"water_table", model.water_table},
+                     {"stress", word("initial", "stress", static_cast<int>(model.initial_stress))}};
+  if (model.k0) json["initial"]["k0"] = *model.k0;
+  json["boundary"] = Json::array();
+  for (const Boundary& b : model.boundaries) json["boundary"].push_back(boundary_json(b));
+  json["stage"] = Json::array();
+  for (const Stage& s : model.stages) json["stage"].push_back(stage_json(s));
+  json["monitor"] = Json::array();
+  for (const Monitor& m : model.monitors) json["monitor"].push_back(monitor_json(m));
+  json["output"] = {{"history", model.output.history_interval},
+                    {"snapshots", model.output.snapshot_interval},
+                    {"pictures", model.output.pictures},
+                    {"checkpoint", model.output.checkpoint_interval}};
+  const Numerics& n = model.numerics;
+  json["numerics"] = {{"cfl", n.cfl},
+                      {"pressure_tolerance", n.pressure_tolerance},
+                      {"fbar", n.fbar},
+                      {"wet_threshold", n.wet_threshold},
+                      {"volume_correction", n.volume_correction},
+                      {"split_water", n.split_water},
+                      {"max_step", number(n.max_step)},
+                      {"jitter", n.jitter},
+                      {"seed", n.seed}};
+  return json;
+}
+
+}  // namespace polder
