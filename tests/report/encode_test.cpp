@@ -118,18 +118,6 @@ TEST(Deflate, IsAZlibStream) {
   EXPECT_EQ(back, bytes);
 }
 
-TEST(Base64, GivesTheVectorsOfRfc4648) {
-  const auto of = [](std::string_view text) {
-    return base64({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-  };
-  EXPECT_EQ(of(""), "");
-  EXPECT_EQ(of("f"), "Zg==");
-  EXPECT_EQ(of("fo"), "Zm8=");
-  EXPECT_EQ(of("foo"), "Zm9v");
-  EXPECT_EQ(of("foob"), "Zm9vYg==");
-  EXPECT_EQ(of("foobar"), "Zm9vYmFy");
-}
-
 TEST(Encode, KeepsCoordinatesToAFractionOfTheSection) {
   std::mt19937 random(seed);
   const PointSeries series = random_series(random, 20, 100);

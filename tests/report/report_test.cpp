@@ -8,98 +8,109 @@
 #include <fstream>
 
 #include "polder/report/audit.hpp"
-#include "polder/report/html.hpp"
-#include "polder/result/history.hpp"
-#include "polder/result/output_error.hpp"
-#include "polder/result/paint.hpp"
-#include "polder/result/summary.hpp"
+#include "polder/report/player_fields.hpp"
+#include "polder/report/run_points.hpp"
+#include "polder/report/soil_shape.hpp"
+#include "synthetic_run.hpp"
 
-using namespace polder;
-
+namespace polder {
 namespace {
 
-// A run's folder with a history, a picture and, when it is finished, a summary.
 class Report : public testing::Test {
  protected:
   std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("polder-report-" + std::to_string(::getpid()));
-
-  void SetUp() override {
-    std::filesystem::create_directories(folder / "pictures");
-    HistoryFile history(folder / "history.csv", {{"crest <settlement>", "m"}, {"p", "Pa"}});
-    for (int i = 0; i < 20; ++i) history.append(0.5 * i, std::vector{0.01 * i, 9000.0 - 10 * i});
-    for (const char* file : {"porosity_t0.png", "porosity_t9.5.png"}) std::ofstream(folder / "pictures" / file) << file;
-  }
   void TearDown() override { std::filesystem::remove_all(folder); }
 
-  void finish() const {
-    Summary summary;
-    summary.reason = "the end of stage <failure> is reached";
-    summary.steps = 1234567;
-    summary.water_balance_error = 3e-15;
-    summary.solid_mass_error = 2e-4;
-    summary.flux_balance_error = std::nan("");
-    summary.case_inputs["title"] = "A dike & its water";
-    summary.case_inputs["material"] = {{{"name", "sand"}, {"porosity", 0.4}}};
-    write_summary(folder / "summary.json", summary);
+  void write(bool finished = true) const {
+    SyntheticRun run;
+    run.spacing = 0.1;
+    run.frames = 13;
+    run.finished = finished;
+    write_synthetic_run(folder, run);
   }
 };
 
-std::size_t count_of(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
+const PageTable* table_of(const Page& page, const std::string& id) {
+  for (const PageTable& table : page.tables)
+    if (table.id == id) return &table;
+  return nullptr;
 }
-
-}  // namespace
 
 TEST_F(Report, OfAFinishedRunHoldsAllOfIt) {
-  finish();
-  const std::string page = report_page(folder);
-  for (const std::string& text :
-       {std::string("A dike &amp; its water"), std::string("the end of stage &lt;failure&gt; is reached"),
-        std::string("1\u2009234\u2009567"), std::string("status finished"), std::string("crest &lt;settlement&gt;"),
-        base64("porosity_t0.png"), base64("porosity_t9.5.png"), std::string("<td>0.4</td>")})
-    EXPECT_NE(page.find(text), std::string::npos) << text;
-  EXPECT_EQ(count_of(page, "<svg"), 2u);  // metres and pascals make two charts
-  EXPECT_EQ(count_of(page, "<svg"), count_of(page, "</svg>"));
+  write();
+  const Page page = run_page(folder);
+  EXPECT_EQ(page.title, "A slumping dike, from formulas");
+  EXPECT_EQ(page.status, "finished");
+  EXPECT_NE(page.summary.find("The end of the last stage was reached."), std::string::npos) << page.summary;
+  EXPECT_EQ(page.times.size(), 13u);
+  EXPECT_EQ(page.times.back(), 12.0);
+  ASSERT_EQ(page.points.size(), 2u);
+  EXPECT_EQ(page.points[0].series.name, "soil");
+  EXPECT_NEAR(page.points[0].spacing, 0.1, 1e-6);
+  EXPECT_EQ(page.history.columns.size(), 8u);
+  EXPECT_EQ(page.monitors.size(), 2u);
+  EXPECT_EQ(page.outlines.size(), 1u);
+  EXPECT_TRUE(page.notes.empty());
 }
 
-TEST_F(Report, NeedsNeitherNetworkNorScript) {
-  finish();
-  const std::string page = report_page(folder);
-  EXPECT_EQ(count_of(page, "<script"), 0u);
-  EXPECT_EQ(count_of(page, "http://") + count_of(page, "https://"),
-            count_of(page, "xmlns=\"http://www.w3.org/2000/svg\""));
-  EXPECT_EQ(count_of(page, "src=\""), count_of(page, "src=\"data:"));
+TEST_F(Report, NamesMaterialsWithSymbolsAndUnits) {
+  write();
+  const Page page = run_page(folder);
+  const PageTable* materials = table_of(page, "materials");
+  ASSERT_NE(materials, nullptr);
+  const auto row = std::find_if(materials->rows.begin(), materials->rows.end(),
+                                [](const auto& r) { return r[0].text == "Friction angle"; });
+  ASSERT_NE(row, materials->rows.end());
+  EXPECT_EQ((*row)[1].text, "φ'");
+  EXPECT_EQ((*row)[2].text, "35°");
+  EXPECT_EQ((*row)[3].text, "30°");
 }
 
-TEST_F(Report, OfARunThatGoesOnSaysHowFarItIsAndReloads) {
-  const std::string page = report_page(folder, {5});
-  EXPECT_NE(page.find("status running"), std::string::npos);
-  EXPECT_NE(page.find("t = 9.50 s"), std::string::npos);
-  EXPECT_NE(page.find("http-equiv=\"refresh\" content=\"5\""), std::string::npos);
-  finish();
-  EXPECT_EQ(report_page(folder, {5}).find("http-equiv=\"refresh\""), std::string::npos);
+TEST_F(Report, OfARunThatGoesOnSaysHowFarItIsAndLoadsItselfAgain) {
+  write(false);
+  const Page page = run_page(folder, {5});
+  EXPECT_EQ(page.status, "running");
+  EXPECT_EQ(page.reload_seconds, 5);
+  EXPECT_NE(page.summary.find("t = 12.0 s"), std::string::npos) << page.summary;
+  write(true);
+  EXPECT_EQ(run_page(folder, {5}).reload_seconds, 0);
 }
 
 TEST_F(Report, IsTheSameForTheSameFolder) {
-  finish();
-  EXPECT_EQ(report_page(folder), report_page(folder));
+  write();
   write_report(folder);
-  EXPECT_EQ(std::filesystem::file_size(folder / "report.html"), report_page(folder).size());
+  std::ifstream file(folder / "report.html", std::ios::binary);
+  const std::string written{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_EQ(written, render_page(run_page(folder)));
 }
 
 TEST_F(Report, OfAFolderWithoutARunIsRefused) {
-  EXPECT_THROW(report_page(folder / "pictures"), std::runtime_error);
+  std::filesystem::create_directories(folder);
+  EXPECT_THROW(run_page(folder), std::runtime_error);
   std::ofstream(folder / "summary.json") << "{\"status\": ";
   EXPECT_THROW(write_report(folder), std::runtime_error);
   EXPECT_FALSE(std::filesystem::exists(folder / "report.html"));
 }
 
+TEST_F(Report, ShowsAComparisonThatLiesBesideTheRun) {
+  write();
+  std::ofstream(folder / "comparison.json")
+      << R"([{"problem": "slump", "quantity": "run-out", "at": "12 s", "reference": 1.0, "computed": 1.2,
+              "error": 0.2, "tolerance": 0.1, "pass": false, "seconds": 3}])";
+  const Page page = run_page(folder);
+  const PageTable* table = table_of(page, "comparison");
+  ASSERT_NE(table, nullptr);
+  ASSERT_EQ(table->rows.size(), 1u);
+  EXPECT_EQ(table->rows[0][4].state, PageCell::State::fail);
+}
+
 TEST_F(Report, AuditSaysWhatIsKeptAndWhatIsNot) {
-  finish();
-  const std::vector<AuditRow> rows = audit(read_json(folder / "summary.json"));
+  Summary summary;
+  summary.water_balance_error = 3e-15;
+  summary.solid_mass_error = 2e-4;
+  summary.flux_balance_error = std::nan("");
+  const std::vector<AuditRow> rows = audit(summary_json(summary));
   ASSERT_EQ(rows.size(), 4u);
   EXPECT_EQ(rows[0].verdict, "kept");
   EXPECT_EQ(rows[1].verdict, "not kept");
@@ -107,11 +118,65 @@ TEST_F(Report, AuditSaysWhatIsKeptAndWhatIsNot) {
   EXPECT_TRUE(audit(nlohmann::ordered_json()).empty());
 }
 
-TEST(HtmlOutline, ShowsNestedInputsAndHarmlessText) {
-  const auto json = nlohmann::ordered_json::parse(
-      R"({"cell_size": 0.05, "polygon": [[0, 0], [1, 0.5]], "soil": [{"name": "a <b>", "x": null}], "none": []})");
-  const std::string page = html::outline(json);
-  EXPECT_NE(page.find("cell size"), std::string::npos);
-  EXPECT_NE(page.find("(0, 0), (1, 0.5)"), std::string::npos);
-  EXPECT_NE(page.find("a &lt;b&gt;"), std::string::npos);
+TEST_F(Report, ThinsByIdAndSaysSo) {
+  write();
+  const RunPoints all = read_run_points(folder, {});
+  PageLimits limits;
+  limits.points = 100;
+  limits.frames = 5;
+  const RunPoints some = read_run_points(folder, {}, limits);
+  EXPECT_EQ(some.notes.size(), 2u);
+  EXPECT_LE(some.times.size(), 6u);
+  EXPECT_EQ(some.times.front(), 0.0);
+  EXPECT_EQ(some.times.back(), 12.0);
+  const double per_frame =
+      static_cast<double>(some.soil.entries() + some.water.entries()) / static_cast<double>(some.times.size());
+  EXPECT_LT(per_frame, 100 * 1.3);
+  EXPECT_GT(per_frame, 100 * 0.4);
+  // The same soil points in the first frame as in the last, each standing for more soil.
+  const auto begin = some.soil.id.begin();
+  const std::vector<std::uint64_t> first(begin, begin + static_cast<std::ptrdiff_t>(some.soil.frame_start[1]));
+  const std::size_t last = some.soil.frame_start[some.soil.frames() - 1];
+  EXPECT_EQ(first, std::vector<std::uint64_t>(begin + static_cast<std::ptrdiff_t>(last), some.soil.id.end()));
+  EXPECT_GT(some.soil_spacing, 1.2 * all.soil_spacing);
 }
+
+TEST(SoilShape, LeavesOutTheOutermostHalfPerCent) {
+  PointSet soil;
+  for (int i = 0; i < 40; ++i)
+    for (int j = 0; j < 25; ++j) {
+      soil.id.push_back(soil.id.size());
+      soil.position.push_back({0.1 * i + 0.05, 0.1 * j + 0.05, 0});
+      soil.volume.push_back(0.01);
+    }
+  soil.id.push_back(5000);
+  soil.position.push_back({30, 9, 0});  // one grain in the air
+  soil.volume.push_back(0.01);
+  const SoilShape shape = soil_shape(soil, 1);
+  EXPECT_NEAR(shape.crest, 2.5, 1e-12);
+  EXPECT_NEAR(shape.left, 0, 1e-12);
+  EXPECT_NEAR(shape.right, 4, 1e-12);
+  EXPECT_FALSE(soil_shape({}, 1).any);
+}
+
+TEST(PlayerFields, MakeInvariantsOfTheEffectiveStress) {
+  PointSet points;
+  points.id = {1};
+  points.position = {{1, 2, 0}};
+  points.volume = {1};
+  points.fields = {make_field("effective_stress", {-1e3, -4e3, -1e3, 2e3, 0, 0}, 6)};
+  std::vector<float> mean, deviator, vertical;
+  for (const PlayerColumn& column : player_columns(points, 1, {})) {
+    if (column.info.key == "mean_effective_stress") append_values(column, points, {0}, mean);
+    if (column.info.key == "deviatoric_stress") append_values(column, points, {0}, deviator);
+    if (column.info.key == "vertical_effective_stress") append_values(column, points, {0}, vertical);
+  }
+  ASSERT_EQ(mean.size() + deviator.size() + vertical.size(), 3u);
+  EXPECT_FLOAT_EQ(mean[0], 2e3f);
+  // s = (1, −2, 1, 2) kPa: √(3/2 (1 + 4 + 1 + 2·4)) = √21
+  EXPECT_FLOAT_EQ(deviator[0], 1e3f * std::sqrt(21.0f));
+  EXPECT_FLOAT_EQ(vertical[0], -4e3f);
+}
+
+}  // namespace
+}  // namespace polder

@@ -5,7 +5,7 @@ import { cssColour, h, iconButton } from "./dom";
 import { readPage, type Page } from "./page";
 import { makePlayer, type Player } from "./player";
 import { openSeries } from "./series";
-import { makeFacts, makeFooter, makeHeader, makeHelp, makeInputs, makeNotes, makeTables } from "./story";
+import { makeFacts, makeFigures, makeFooter, makeHeader, makeHelp, makeInputs, makeNotes, makeTables } from "./story";
 
 type Theme = "auto" | "light" | "dark";
 
@@ -97,7 +97,7 @@ async function start() {
     // Tests and the curious: what is drawn, by what, and when.
     Object.assign(window, { polder: { page, player, series, background: () => cssColour("--panel") } });
   }
-  root.append(...makeTables(page), ...[makeInputs(page)].filter((e): e is HTMLElement => e !== null), makeFooter(page), help);
+  root.append(...makeTables(page, (t) => t.id === "comparison"), ...makeFigures(page), ...makeTables(page, (t) => t.id !== "comparison"), ...[makeInputs(page)].filter((e): e is HTMLElement => e !== null), makeFooter(page), help);
   document.documentElement.dataset.ready = "yes";
 }
 

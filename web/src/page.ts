@@ -76,6 +76,7 @@ export interface Page {
   monitors: { name: string; points: Point[] }[];
   stages: { name: string; start: number; end: number }[];
   history: { columns: HistoryColumn[]; values: (number | null)[][] };
+  figures: { title: string; source: string }[];
   tables: Table[];
   inputs: unknown;
 }

@@ -50,8 +50,14 @@ function table(t: Table): HTMLElement {
   );
 }
 
-export function makeTables(page: Page): HTMLElement[] {
-  return page.tables.filter((t) => t.rows.length > 0).map(table);
+export function makeTables(page: Page, which: (t: Table) => boolean): HTMLElement[] {
+  return page.tables.filter((t) => t.rows.length > 0 && which(t)).map(table);
+}
+
+export function makeFigures(page: Page): HTMLElement[] {
+  return page.figures.map(({ title, source }) =>
+    h("section", { class: "block" }, h("h2", {}, "Model"), h("figure", { class: "drawing" }, h("img", { src: source, alt: title }), h("figcaption", {}, title))),
+  );
 }
 
 function plainText(value: unknown): string {

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "polder/result/paint.hpp"
+
 namespace polder {
 namespace {
 
@@ -86,6 +88,10 @@ std::vector<std::uint8_t> track_bytes(const std::vector<Track>& tracks) {
   return bytes;
 }
 
+std::string text_of(const std::vector<std::uint8_t>& bytes) {
+  return base64({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
 EncodedField encode_field(const PlayerField& info, Quantised quantised, const TrackedOrder& order) {
   EncodedField field{info, quantised.low, quantised.step, Prediction::time, {}};
   std::vector<std::uint8_t> smallest;
@@ -95,7 +101,7 @@ EncodedField encode_field(const PlayerField& info, Quantised quantised, const Tr
     smallest = std::move(packed);
     field.prediction = kind;
   }
-  field.text = base64(smallest);
+  field.text = text_of(smallest);
   return field;
 }
 
@@ -154,19 +160,6 @@ std::vector<std::uint8_t> deflate(std::span<const std::uint8_t> bytes) {
   return packed;
 }
 
-std::string base64(std::span<const std::uint8_t> bytes) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t present = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < present ? bytes[i + k] : 0u);
-    for (std::size_t k = 0; k < 4; ++k) text += k <= present ? digits[group >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
 EncodedSeries encode(const PointSeries& series, const Precision& precision) {
   if (series.frames() > 65535)
     throw std::invalid_argument(fmt::format("{} frames are more than a page can hold (65535)", series.frames()));
@@ -175,7 +168,7 @@ EncodedSeries encode(const PointSeries& series, const Precision& precision) {
   encoded.name = series.name;
   encoded.tracks = order.tracks.size();
   encoded.entries = series.entries();
-  encoded.track_text = base64(deflate(track_bytes(order.tracks)));
+  encoded.track_text = text_of(deflate(track_bytes(order.tracks)));
 
   std::array<Spread, 2> extent;
   for (std::size_t axis = 0; axis < 2; ++axis) extent[axis] = spread_of(series.fields.at(axis).values);

@@ -43,7 +43,6 @@ std::vector<std::uint16_t> unpredict(std::span<const std::uint8_t> bytes, const 
 
 /// zlib stream (RFC 1950).
 std::vector<std::uint8_t> deflate(std::span<const std::uint8_t> bytes);
-std::string base64(std::span<const std::uint8_t> bytes);
 
 struct EncodedField {
   PlayerField info;

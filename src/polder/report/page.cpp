@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "polder/report/viewer.hpp"
+#include "polder/result/paint.hpp"
 
 namespace polder {
 namespace {
@@ -88,11 +89,13 @@ Json json_of(const Page& page) {
             {"times", page.times},           {"sets", Json::array()},
             {"outlines", page.outlines},     {"walls", page.walls},
             {"monitors", Json::array()},     {"history", json_of(page.history)},
-            {"tables", Json::array()},       {"inputs", page.inputs}};
+            {"figures", Json::array()},      {"tables", Json::array()},
+            {"inputs", page.inputs}};
   for (const PageFact& f : page.facts)
     json["facts"].push_back({{"label", f.label}, {"value", f.value}, {"unit", f.unit}, {"note", f.note}});
   for (const PagePoints& points : page.points) json["sets"].push_back(json_of(points));
   for (const PageMonitor& m : page.monitors) json["monitors"].push_back({{"name", m.name}, {"points", m.points}});
+  for (const PageFigure& f : page.figures) json["figures"].push_back({{"title", f.title}, {"source", f.source}});
   for (const PageTable& table : page.tables) json["tables"].push_back(json_of(table));
   return json;
 }
@@ -120,38 +123,17 @@ std::string head(std::string_view title) {
       "style-src 'unsafe-inline'; font-src data:; img-src data: blob:; media-src blob:\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"generator\" content=\"polder\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n",
-      escape_html(title), viewer_style);
+      escaped(title), viewer_style);
 }
 
 }  // namespace
-
-std::string escape_html(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  return escaped;
-}
 
 std::string render_page(const Page& page) {
   std::string html = head(page.title);
   html += fmt::format(
       "<main id=\"polder\"><noscript><h1>{}</h1><p>{}</p><p>This report needs JavaScript to show the run. The numbers "
       "are in summary.json and history.csv beside it.</p></noscript></main>\n",
-      escape_html(page.title), escape_html(page.summary));
+      escaped(page.title), escaped(page.summary));
   html += fmt::format("<script type=\"application/json\" id=\"polder-page\">{}</script>\n", script_json(json_of(page)));
   for (const PagePoints& points : page.points) {
     append_blob(html, blob_name(points.series.name, 0), points.series.track_text);

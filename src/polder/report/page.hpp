@@ -16,7 +16,7 @@ struct PageCell {
   enum class State { none, pass, fail };
   std::string text;
   State state = State::none;
-  std::string title;  ///< explanation shown as a tooltip
+  std::string title{};  ///< explanation shown as a tooltip
 };
 
 struct PageTable {
@@ -36,6 +36,12 @@ struct PageFact {
 struct PageMonitor {
   std::string name;
   Line2 points;  ///< m, in the section
+};
+
+/// A picture with its bytes inside the page.
+struct PageFigure {
+  std::string title;
+  std::string source;  ///< a data: address
 };
 
 /// Points of one phase, ready to be written.
@@ -59,6 +65,7 @@ struct Page {
   std::vector<Line2> outlines, walls;
   std::vector<PageMonitor> monitors;
   History history;
+  std::vector<PageFigure> figures;
   std::vector<PageTable> tables;
   nlohmann::ordered_json inputs;  ///< the case with every default filled in
 };
@@ -68,8 +75,5 @@ std::string render_page(const Page& page);
 /// The same head, style and foot around other content, for pages without a player (studies, verification).
 /// `body` is HTML; `title` is text.
 std::string render_plain_page(std::string_view title, std::string_view body);
-
-/// Text for HTML: & < > " are escaped.
-std::string escape_html(std::string_view text);
 
 }  // namespace polder

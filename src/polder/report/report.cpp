@@ -3,19 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 
 #include "polder/report/audit.hpp"
-#include "polder/report/html.hpp"
-#include "polder/report/style.hpp"
+#include "polder/report/case_tables.hpp"
+#include "polder/report/run_points.hpp"
 #include "polder/result/atomic_file.hpp"
-#include "polder/result/chart.hpp"
 #include "polder/result/history.hpp"
 #include "polder/result/paint.hpp"
-#include "polder/result/picture_files.hpp"
 #include "polder/result/summary.hpp"
+#include "polder/result/ticks.hpp"
 
 namespace polder {
 namespace {
@@ -23,166 +23,186 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 std::string text_of(const Json& json, const char* key, const std::string& otherwise = "") {
+  if (!json.is_object()) return otherwise;
   const auto found = json.find(key);
   return found != json.end() && found->is_string() ? found->get<std::string>() : otherwise;
 }
 
-struct Run {
-  fs::path folder;
-  Json summary;     ///< null while the run goes on
-  History history;  ///< without columns where there is none
-};
-
-Run read_run(const fs::path& folder) {
-  Run run{folder, {}, {}};
-  if (fs::exists(folder / "summary.json")) run.summary = read_json(folder / "summary.json");
-  if (fs::exists(folder / "history.csv")) run.history = read_history(folder / "history.csv");
-  if (run.summary.is_null() && run.history.columns.empty())
-    throw std::runtime_error(folder.string() + ": there is neither summary.json nor history.csv: no run wrote here");
-  return run;
+double number_of(const Json& json, const char* key) {
+  if (!json.is_object() || !json.contains(key) || !json[key].is_number()) return std::nan("");
+  return json[key].get<double>();
 }
 
-std::string title_of(const Run& run) {
-  const fs::path whole = fs::absolute(run.folder).lexically_normal();
-  const std::string folder = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
-  const Json inputs = run.summary.is_object() ? run.summary.value("case", Json()) : Json();
-  if (!inputs.is_object()) return folder;
-  const Json model = inputs.value("model", Json());
-  for (const Json& place : {inputs, model})
-    for (const char* key : {"title", "name"})
-      if (place.is_object() && !text_of(place, key).empty()) return text_of(place, key);
-  return folder;
+std::string title_of(const fs::path& folder, const Json& inputs, const RunPoints& points) {
+  const Json model = inputs.is_object() ? inputs.value("model", Json()) : Json();
+  for (const std::string& title :
+       {text_of(model, "title"), text_of(inputs, "title"), points.title, text_of(inputs, "name")})
+    if (!title.empty()) return title;
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
 }
 
-std::string head_of(const Run& run) {
-  const std::string status = run.summary.is_null() ? "running" : text_of(run.summary, "status", "running");
-  std::string reason = text_of(run.summary, "reason");
-  if (run.summary.is_null() && run.history.rows() > 0)
-    reason = "The last row of its history is at t = " + time_text(run.history.values[0].back()) + ".";
-  std::string html = html::text_element("h1", title_of(run));
-  html += html::element("p", fmt::format("<span class=\"status {0}\">{0}</span>{1}", escaped(status), escaped(reason)));
-  std::string facts;
-  for (const Fact& fact : run_facts(run.summary))
-    facts += html::element("div", html::text_element("dt", fact.label) + html::text_element("dd", fact.value));
-  return html + (facts.empty() ? "" : html::element("dl", facts, "class=\"facts\""));
+/// Value and unit apart: "0.881", "m".
+PageFact length_fact(const char* label, double metres, double largest, std::string note) {
+  const DisplayUnit unit = display_unit("m", largest);
+  return {label, number_text(metres / unit.factor), unit.name, std::move(note)};
 }
 
-std::string model_of(const Run& run) {
-  for (const char* file : {"model.svg", "pictures/model.svg", "pictures/model.png"}) {
-    if (!fs::exists(run.folder / file)) continue;
-    const std::string type = fs::path(file).extension() == ".svg" ? "image/svg+xml" : "image/png";
-    return html::section("model", "Model",
-                         html::picture(type, bytes_of(run.folder / file), "The model as it was computed"));
+std::string metres_text(double metres) { return number_text(metres) + " m"; }
+
+/// The residual crest height and the run-out, where soil has moved by more than half a point's spacing.
+void add_shape_facts(Page& page, const RunPoints& points) {
+  const SoilShape &first = points.first, &last = points.last;
+  if (!first.any || !last.any) return;
+  const double half = 0.5 * points.soil_spacing;
+  const double run_out = std::max(last.right - first.right, first.left - last.left);
+  if (std::abs(last.crest - first.crest) < half && run_out < half && last.moved < half) return;
+  page.facts.push_back(
+      length_fact("Residual crest height", last.crest, last.crest, "of " + metres_text(first.crest) + " at the start"));
+  page.facts.push_back(length_fact("Run-out", std::max(0.0, run_out), run_out, "beyond the soil's first extent"));
+  if (last.moved > 0) page.facts.push_back(length_fact("Largest displacement", last.moved, last.moved, "of the soil"));
+}
+
+void add_run_facts(Page& page, const Json& summary) {
+  const double simulated = number_of(summary, "simulated_time"), wall = number_of(summary, "wall_seconds");
+  if (!std::isnan(simulated)) {
+    const std::string text = time_text(simulated);
+    const std::size_t gap = text.rfind(' ');
+    std::string note = std::isnan(wall) ? "" : "in " + time_text(wall);
+    const double threads = number_of(summary, "threads");
+    if (!note.empty() && threads >= 1) note += fmt::format(" on {:.0f} thread{}", threads, threads > 1 ? "s" : "");
+    page.facts.push_back(
+        {"Simulated", text.substr(0, gap), gap == std::string::npos ? "" : text.substr(gap + 1), note});
   }
-  return "";
+  if (const double error = number_of(summary, "water_balance_error"); !std::isnan(error))
+    page.facts.push_back({"Water balance error", number_text(error), "", "of the water at the start"});
 }
 
-// The instants of one quantity, one shown at a time: radio buttons and style sheets do it without a script.
-std::string instants(const std::string& field, const std::vector<fs::path>& pictures) {
-  std::string buttons, figures, rules;
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const std::string time = time_text(parse_picture_name(pictures[i].filename().string())->time);
-    buttons += fmt::format("<input type=\"radio\" name=\"{0}\" id=\"{0}-{1}\"{2}><label for=\"{0}-{1}\">{3}</label>",
-                           escaped(field), i, i + 1 == pictures.size() ? " checked" : "", time);
-    figures += html::element(
-        "figure", html::picture("image/png", bytes_of(pictures[i]), field_info(field).label + " at " + time));
+std::string summary_sentence(const Json& summary, const RunPoints& points, const History& history) {
+  std::vector<std::string> parts;
+  if (!points.times.empty())
+    parts.push_back(fmt::format("{}, {} × {} m", points.dimension == 3 ? "Three dimensions, section" : "Plane strain",
+                                number_text(points.size[0]), number_text(points.size[1])));
+  for (const Fact& fact : run_facts(summary))
+    if (fact.label == "soil points" || fact.label == "water points") parts.push_back(fact.value + " " + fact.label);
+  std::string text = fmt::format("{}", fmt::join(parts, ", "));
+  if (!text.empty()) text += ". ";
+  std::string reason = text_of(summary, "reason");
+  if (summary.is_null() && history.rows() > 0)
+    reason = "The run goes on; its last row is at t = " + time_text(history.values[0].back());
+  if (!reason.empty() && reason[0] >= 'a' && reason[0] <= 'z') reason[0] = static_cast<char>(reason[0] - 'a' + 'A');
+  if (!reason.empty() && reason.back() != '.') reason += '.';
+  return text + reason;
+}
+
+PageTable audit_table(const Json& summary) {
+  PageTable table{"audit", "Audit", "", {"Quantity", "Value", "Demand", "Verdict", "Meaning"}, {false, true}, {}};
+  table.numeric.resize(table.columns.size(), false);
+  for (const AuditRow& row : audit(summary)) {
+    const auto state = row.verdict == "kept"       ? PageCell::State::pass
+                       : row.verdict == "not kept" ? PageCell::State::fail
+                                                   : PageCell::State::none;
+    table.rows.push_back({{row.quantity}, {number_text(row.value)}, {row.demand}, {row.verdict, state}, {row.meaning}});
   }
-  return html::text_element("h3", field_info(field).label) +
-         html::element("div", buttons + figures, "class=\"instants\"");
+  return table;
 }
 
-// "The n-th button shows the n-th figure", for as many instants as there are.
-std::string instant_rules(std::size_t count) {
-  std::string rules;
-  for (std::size_t i = 1; i <= count; ++i)
-    rules +=
-        fmt::format(".instants > input:nth-of-type({0}):checked ~ figure:nth-of-type({0}) {{ display: block; }}\n", i);
-  return html::element("style", rules);
+PageTable cost_table(const Json& summary) {
+  PageTable table{"cost", "Cost", "", {"Quantity", "Value"}, {false, true}, {}};
+  for (const Fact& fact : run_facts(summary)) table.rows.push_back({{fact.label}, {fact.value}});
+  return table;
 }
 
-std::string pictures_of(const Run& run) {
-  const std::vector<fs::path> all = list_pictures(run.folder);
-  std::string html;
-  std::size_t most = 0;
-  for (auto begin = all.begin(); begin != all.end();) {
-    const auto field = [](const fs::path& path) { return parse_picture_name(path.filename().string())->field; };
-    const auto end = std::find_if(begin, all.end(), [&](const fs::path& path) { return field(path) != field(*begin); });
-    most = std::max(most, static_cast<std::size_t>(end - begin));
-    html += instants(field(*begin), {begin, end});
-    begin = end;
-  }
-  return html.empty() ? "" : html::section("pictures", "Pictures", instant_rules(most) + html);
-}
-
-std::string curves_of(const Run& run) {
-  if (run.history.rows() == 0) return "";
-  std::string html;
-  for (const Chart& chart : history_charts(run.history)) html += html::element("figure", to_svg(draw_chart(chart)));
-  return html.empty() ? "" : html::section("curves", "Histories", html::element("div", html, "class=\"curves\""));
-}
-
-std::string audit_of(const Run& run) {
-  html::Table table{{"quantity", "value", "demand", "verdict", "meaning"}, {}, {false, true}};
-  for (const AuditRow& row : audit(run.summary))
-    table.rows.push_back({row.quantity, number_text(row.value), row.demand, row.verdict, row.meaning});
-  return table.rows.empty() ? "" : html::section("audit", "Audit", html::table(table));
-}
-
-std::string numbers_of(const Run& run, const char* key, const char* title, const char* unit) {
-  const Json numbers = run.summary.is_object() ? run.summary.value(key, Json()) : Json();
-  html::Table table{{"", unit}, {}, {false, true}};
+PageTable numbers_table(const Json& summary, const char* key, const char* title, const char* unit) {
+  PageTable table{key, title, "", {"Quantity", unit}, {false, true}, {}};
+  const Json numbers = summary.is_object() ? summary.value(key, Json::object()) : Json::object();
   for (const auto& [name, value] : numbers.items()) {
     std::string words = name;
     std::replace(words.begin(), words.end(), '_', ' ');
-    table.rows.push_back({words, value.is_number() ? number_text(value.get<double>()) : "–"});
+    table.rows.push_back({{words}, {value.is_number() ? number_text(value.get<double>()) : "–"}});
   }
-  return table.rows.empty() ? "" : html::section(key, title, html::table(table));
+  return table;
 }
 
-std::string inputs_of(const Run& run) {
-  const Json inputs = run.summary.is_object() ? run.summary.value("case", Json()) : Json();
-  if (inputs.empty()) return "";
-  return html::section(
-      "inputs", "All inputs",
-      html::text_element("p", "With every default filled in; SI units.", "class=\"soft\"") + html::outline(inputs));
+std::string any_text(const Json& row, const char* key) {
+  if (!row.contains(key) || row[key].is_null()) return "–";
+  return row[key].is_number()   ? number_text(row[key].get<double>())
+         : row[key].is_string() ? row[key].get<std::string>()
+                                : row[key].dump();
 }
 
-std::string foot_of(const Run& run) {
-  std::string links;
-  for (const char* file : {"points.pvd", "history.csv", "summary.json", "log.txt"})
-    if (fs::exists(run.folder / file)) links += fmt::format("<a href=\"{0}\">{0}</a> ", file);
-  const std::string version = text_of(run.summary, "version"), hash = text_of(run.summary, "state_hash");
-  std::string words = "Polder" + (version.empty() ? "" : " " + version);
-  if (!hash.empty()) words += ", state " + hash;
-  return html::element(
-      "footer", html::text_element("p", words, "class=\"soft\"") + html::element("p", "Beside this page: " + links));
+PageTable comparison_table(const fs::path& folder) {
+  PageTable table{
+      "comparison", "Comparison", "", {"Quantity", "At", "Reference", "Computed", "Error", "Tolerance"}, {}, {}};
+  table.numeric = {false, false, true, true, true, true};
+  if (!fs::exists(folder / "comparison.json")) return table;
+  for (const Json& row : read_json(folder / "comparison.json")) {
+    const bool pass = row.value("pass", false);
+    table.rows.push_back({{any_text(row, "quantity")},
+                          {any_text(row, "at")},
+                          {any_text(row, "reference")},
+                          {any_text(row, "computed")},
+                          {any_text(row, "error"), pass ? PageCell::State::pass : PageCell::State::fail},
+                          {any_text(row, "tolerance")}});
+  }
+  return table;
+}
+
+void add_model_drawing(Page& page, const fs::path& folder) {
+  for (const char* name : {"model.svg", "pictures/model.svg", "pictures/model.png"}) {
+    std::ifstream file(folder / name, std::ios::binary);
+    if (!file) continue;
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    const std::string type = fs::path(name).extension() == ".svg" ? "image/svg+xml" : "image/png";
+    page.figures.push_back({"The model as it was computed", "data:" + type + ";base64," + base64(bytes)});
+    return;
+  }
 }
 
 }  // namespace
 
-std::string report_page(const fs::path& folder, const ReportOptions& options) {
-  const Run run = read_run(folder);
-  std::string head =
-      "<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-  if (options.reload_seconds > 0 && run.summary.is_null())
-    head += fmt::format("<meta http-equiv=\"refresh\" content=\"{}\">\n", options.reload_seconds);
-  head += html::text_element("title", title_of(run)) + html::element("style", report_style);
-  const std::string body =
-      head_of(run) + pictures_of(run) + curves_of(run) + audit_of(run) + numbers_of(run, "energy", "Energy", "J") +
-      numbers_of(run, "maxima", "Largest values", "SI") +
-      numbers_of(run, "kernel_seconds", "Where the time went", "s") + model_of(run) + inputs_of(run) + foot_of(run);
-  return "<!doctype html>\n<html lang=\"en\">\n" + html::element("head", head) +
-         html::element("body", html::element("main", body)) + "</html>\n";
+Page run_page(const fs::path& folder, const ReportOptions& options) {
+  Json summary;
+  Page page;
+  if (fs::exists(folder / "summary.json")) summary = read_json(folder / "summary.json");
+  if (fs::exists(folder / "history.csv")) page.history = read_history(folder / "history.csv");
+  if (summary.is_null() && page.history.columns.empty())
+    throw std::runtime_error(folder.string() + ": there is neither summary.json nor history.csv: no run wrote here");
+  if (summary.is_object()) page.inputs = summary.value("case", Json());
+
+  RunPoints points = read_run_points(folder, material_names(page.inputs));
+  page.title = title_of(folder, page.inputs, points);
+  page.summary = summary_sentence(summary, points, page.history);
+  page.status = summary.is_null() ? "running" : text_of(summary, "status", "running");
+  page.reason = text_of(summary, "reason");
+  page.version = text_of(summary, "version");
+  if (const std::string hash = text_of(summary, "state_hash"); !hash.empty()) page.version += ", state " + hash;
+  page.reload_seconds = page.status == "running" ? options.reload_seconds : 0;
+  page.size = points.size;
+  add_shape_facts(page, points);
+  add_run_facts(page, summary);
+  page.notes = points.notes;
+  page.times = points.times;
+  page.outlines = points.outlines;
+  page.walls = points.walls;
+  page.monitors = page_monitors(page.inputs, points.dimension == 3 ? 2 : 1);
+  if (points.soil.entries() > 0) page.points.push_back({encode(points.soil), points.soil_spacing});
+  if (points.water.entries() > 0) page.points.push_back({encode(points.water), points.water_spacing});
+
+  page.tables.push_back(comparison_table(folder));
+  add_model_drawing(page, folder);
+  for (PageTable& table : case_tables(page.inputs)) page.tables.push_back(std::move(table));
+  page.tables.push_back(audit_table(summary));
+  page.tables.push_back(numbers_table(summary, "energy", "Energy", "J"));
+  page.tables.push_back(numbers_table(summary, "maxima", "Largest values", "SI"));
+  page.tables.push_back(cost_table(summary));
+  page.tables.push_back(numbers_table(summary, "kernel_seconds", "Where the time went", "s"));
+  return page;
 }
 
 void write_report(const fs::path& folder, const ReportOptions& options) {
-  write_atomically(folder / "report.html", report_page(folder, options));
+  write_atomically(folder / "report.html", render_page(run_page(folder, options)));
 }
 
 }  // namespace polder
