@@ -1,0 +1,387 @@
+#include "polder/grid/multigrid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace polder {
+
+namespace {
+constexpr double coarse_scale = 1 / 1.8;
+constexpr std::ptrdiff_t coarsest_cells = 40;
+}  // namespace
+
+template <class Space>
+Multigrid<Space>::Multigrid(const Lattice<Space>& lattice) {
+  std::array<int, 3> cells = lattice.cells;
+  while (true) {
+    Level level;
+    level.cells = cells;
+    if (levels_.empty()) {
+      level.natural_stride = lattice.stride;
+      level.natural_origin = lattice.index(0, 0, 0);
+    } else {
+      const std::ptrdiff_t nx = cells[0] + 2, ny = cells[1] + 2;
+      level.natural_stride = {1, nx, axes == 3 ? nx * ny : 0};
+      level.natural_origin = 1 + nx + level.natural_stride[2];
+      const std::size_t size = static_cast<std::size_t>(nx * ny * (axes == 3 ? cells[2] + 2 : 1));
+      level.diagonal.assign(size, 0.0);
+      for (auto& a : level.coupling) a.assign(size, 0.0);
+    }
+    level.row_length = ((cells[0] + 1) / 2 + 2 + 7) / 8 * 8;
+    level.row_step = {0, level.row_length, axes == 3 ? level.row_length * (cells[1] + 2) : 0};
+    level.first_row = 1 + level.row_step[1] + level.row_step[2];
+    const std::size_t size =
+        static_cast<std::size_t>(level.row_length * (cells[1] + 2) * (axes == 3 ? cells[2] + 2 : 1) + 16);
+    for (auto& colour : level.colour) {
+      for (auto* a : {&colour.inverse, &colour.diagonal, &colour.right_side, &colour.value}) a->assign(size, 0.0F);
+      for (auto& a : colour.coupling) a.assign(size, 0.0F);
+    }
+    level.row_sum.assign(static_cast<std::size_t>(level.rows() * (cells[0] + 1)), 0.0F);
+    levels_.push_back(std::move(level));
+
+    const std::ptrdiff_t total = static_cast<std::ptrdiff_t>(cells[0]) * cells[1] * cells[2];
+    if (total <= coarsest_cells) break;
+    for (int a = 0; a < axes; ++a) cells[a] = (cells[a] + 1) / 2;
+  }
+}
+
+template <class Space>
+bool Multigrid<Space>::shared(const Level& level) const {
+  return static_cast<std::ptrdiff_t>(level.cells[0]) * level.rows() >= cells_worth_sharing;
+}
+
+template <class Space>
+void Multigrid<Space>::colour_level(Level& level, const Array& diagonal, const std::array<Array, axes>& coupling,
+                                    std::ptrdiff_t row0, std::ptrdiff_t row1) {
+  for (std::ptrdiff_t row = row0; row < row1; ++row) {
+    const std::ptrdiff_t from = natural_row(level, row), to = coloured_row(level, row);
+    for (int c = 0; c < 2; ++c) {
+      Colour& colour = level.colour[c];
+      const int q = c == 0 ? parity(level, row) : 1 - parity(level, row);
+      const std::ptrdiff_t count = (level.cells[0] - q + 1) / 2;
+      for (std::ptrdiff_t m = 0; m < count; ++m) {
+        const double d = diagonal[from + 2 * m + q];
+        colour.diagonal[to + m] = static_cast<float>(d);
+        colour.inverse[to + m] = d > 0 ? static_cast<float>(1 / d) : 0.0F;
+      }
+      for (int a = 0; a < axes; ++a)
+        for (std::ptrdiff_t m = 0; m < count; ++m)
+          colour.coupling[a][to + m] = static_cast<float>(coupling[a][from + 2 * m + q]);
+    }
+  }
+}
+
+template <class Space>
+void Multigrid<Space>::coarsen(const Level& fine, const Array& diagonal, const std::array<Array, axes>& coupling,
+                               Level& coarse, std::ptrdiff_t row0, std::ptrdiff_t row1) {
+  const int nx = fine.cells[0];
+  for (std::ptrdiff_t row = row0; row < row1; ++row) {
+    const std::ptrdiff_t J = row % coarse.cells[1], K = row / coarse.cells[1];
+    const std::ptrdiff_t to = natural_row(coarse, row);
+    double* d = coarse.diagonal.data() + to;
+    std::array<double*, axes> link{};
+    for (int a = 0; a < axes; ++a) {
+      link[a] = coarse.coupling[a].data() + to;
+      std::fill(link[a], link[a] + coarse.cells[0], 0.0);
+    }
+    std::fill(d, d + coarse.cells[0], 0.0);
+    for (std::ptrdiff_t k = 2 * K; k < std::min<std::ptrdiff_t>(2 * K + (axes == 3 ? 2 : 1), fine.cells[2]); ++k)
+      for (std::ptrdiff_t j = 2 * J; j < std::min<std::ptrdiff_t>(2 * J + 2, fine.cells[1]); ++j) {
+        const std::ptrdiff_t from = natural_row(fine, j + k * fine.cells[1]);
+        const double* fd = diagonal.data() + from;
+        const double* fx = coupling[0].data() + from;
+        const double* fy = coupling[1].data() + from;
+        const double* fz = axes == 3 ? coupling[axes - 1].data() + from : nullptr;
+        const bool inner_y = j % 2 == 1, inner_z = k % 2 == 1;
+        const auto add = [&](std::ptrdiff_t I, std::ptrdiff_t i) {
+          double sum = fd[i];
+          if (inner_y)
+            sum -= 2 * fy[i];
+          else
+            link[1][I] += fy[i];
+          if constexpr (axes == 3) {
+            if (inner_z)
+              sum -= 2 * fz[i];
+            else
+              link[axes - 1][I] += fz[i];
+          }
+          return sum;
+        };
+        std::ptrdiff_t I = 0;
+        for (; 2 * I + 1 < nx; ++I) {
+          link[0][I] += fx[2 * I];
+          d[I] += add(I, 2 * I) + add(I, 2 * I + 1) - 2 * fx[2 * I + 1];
+        }
+        if (2 * I < nx) {
+          link[0][I] += fx[2 * I];
+          d[I] += add(I, 2 * I);
+        }
+      }
+    for (int I = 0; I < coarse.cells[0]; ++I) {
+      d[I] *= coarse_scale;
+      for (int a = 0; a < axes; ++a) link[a][I] *= coarse_scale;
+    }
+  }
+}
+
+template <class Space>
+void Multigrid<Space>::factor_coarsest() {
+  const Level& level = levels_.back();
+  coarse_cells_.clear();
+  std::vector<int> number(level.colour[0].inverse.size() * 2 + 1, -1);
+  const auto place = [&](int i, std::ptrdiff_t row) {
+    const int p = parity(level, row), c = i % 2 == p ? 0 : 1;
+    return 2 * (coloured_row(level, row) + i / 2) + c;
+  };
+  for (std::ptrdiff_t row = 0; row < level.rows(); ++row)
+    for (int i = 0; i < level.cells[0]; ++i) {
+      const std::ptrdiff_t at = place(i, row);
+      if (level.colour[at % 2].inverse[at / 2] > 0) {
+        number[at] = static_cast<int>(coarse_cells_.size());
+        coarse_cells_.push_back(at);
+      }
+    }
+  const std::size_t n = coarse_cells_.size();
+  factor_.assign(n * n, 0.0);
+  coarse_value_.assign(n, 0.0);
+  for (std::ptrdiff_t row = 0; row < level.rows(); ++row)
+    for (int i = 0; i < level.cells[0]; ++i) {
+      const std::ptrdiff_t at = place(i, row);
+      const int me = number[at];
+      if (me < 0) continue;
+      const Colour& colour = level.colour[at % 2];
+      factor_[me * n + me] = static_cast<double>(colour.diagonal[at / 2]);
+      const auto link = [&](int axis, std::ptrdiff_t other) {
+        const int lower = number[other];
+        const auto value = static_cast<double>(colour.coupling[axis][at / 2]);
+        if (lower >= 0 && value > 0) factor_[me * n + lower] = factor_[lower * n + me] = -value;
+      };
+      if (i > 0) link(0, place(i - 1, row));
+      if (row % level.cells[1] > 0) link(1, place(i, row - 1));
+      if (axes == 3 && row >= level.cells[1]) link(axes - 1, place(i, row - level.cells[1]));
+    }
+  for (std::size_t c = 0; c < n; ++c) {  // Cholesky, in place, lower triangle
+    const double original = factor_[c * n + c];
+    double pivot = original;
+    for (std::size_t k = 0; k < c; ++k) pivot -= factor_[c * n + k] * factor_[c * n + k];
+    pivot = std::sqrt(std::max(pivot, 1e-6 * original));  // a floating part has no level of its own: damp it
+    factor_[c * n + c] = pivot;
+    for (std::size_t r = c + 1; r < n; ++r) {
+      double sum = factor_[r * n + c];
+      for (std::size_t k = 0; k < c; ++k) sum -= factor_[r * n + k] * factor_[c * n + k];
+      factor_[r * n + c] = sum / pivot;
+    }
+  }
+}
+
+template <class Space>
+void Multigrid<Space>::solve_coarsest() {
+  Level& level = levels_.back();
+  const std::size_t n = coarse_cells_.size();
+  auto& y = coarse_value_;
+  for (std::size_t r = 0; r < n; ++r) {
+    const std::ptrdiff_t at = coarse_cells_[r];
+    double sum = static_cast<double>(level.colour[at % 2].right_side[at / 2]);
+    for (std::size_t c = 0; c < r; ++c) sum -= factor_[r * n + c] * y[c];
+    y[r] = sum / factor_[r * n + r];
+  }
+  for (std::size_t r = n; r-- > 0;) {
+    for (std::size_t c = r + 1; c < n; ++c) y[r] -= factor_[c * n + r] * y[c];
+    y[r] /= factor_[r * n + r];
+    const std::ptrdiff_t at = coarse_cells_[r];
+    level.colour[at % 2].value[at / 2] = static_cast<float>(y[r]);
+  }
+}
+
+template <class Space>
+void Multigrid<Space>::smooth(Level& level, int c, bool from_zero, std::ptrdiff_t row0, std::ptrdiff_t row1) {
+  Colour& mine = level.colour[c];
+  const Colour& other = level.colour[1 - c];
+  for (std::ptrdiff_t row = row0; row < row1; ++row) {
+    const std::ptrdiff_t at = coloured_row(level, row);
+    const int q = c == 0 ? parity(level, row) : 1 - parity(level, row);
+    const std::ptrdiff_t count = (level.cells[0] - q + 1) / 2;
+    float* __restrict x = mine.value.data() + at;
+    const float* inverse = mine.inverse.data() + at;
+    const float* b = mine.right_side.data() + at;
+    if (from_zero) {
+      for (std::ptrdiff_t m = 0; m < count; ++m) x[m] = inverse[m] * b[m];
+      continue;
+    }
+    const float* left = mine.coupling[0].data() + at;
+    const float* right = other.coupling[0].data() + at + q;
+    const float* o = other.value.data() + at + q;
+    const std::ptrdiff_t dy = level.row_step[1];
+    const float* down = mine.coupling[1].data() + at;
+    const float* up = other.coupling[1].data() + at + dy;
+    const float* oy = other.value.data() + at;
+    if constexpr (axes == 2) {
+#pragma GCC ivdep
+      for (std::ptrdiff_t m = 0; m < count; ++m)
+        x[m] = inverse[m] * (b[m] + left[m] * o[m - 1] + right[m] * o[m] + down[m] * oy[m - dy] + up[m] * oy[m + dy]);
+    } else {
+      const std::ptrdiff_t dz = level.row_step[2];
+      const float* back = mine.coupling[axes - 1].data() + at;
+      const float* front = other.coupling[axes - 1].data() + at + dz;
+#pragma GCC ivdep
+      for (std::ptrdiff_t m = 0; m < count; ++m)
+        x[m] = inverse[m] * (b[m] + left[m] * o[m - 1] + right[m] * o[m] + down[m] * oy[m - dy] + up[m] * oy[m + dy] +
+                             back[m] * oy[m - dz] + front[m] * oy[m + dz]);
+    }
+  }
+}
+
+template <class Space>
+void Multigrid<Space>::restrict_to(Level& fine, Level& coarse, std::ptrdiff_t row0, std::ptrdiff_t row1) {
+  // the sweep before ended with black, whose residual is zero: only red counts
+  const Colour& red = fine.colour[0];
+  const Colour& black = fine.colour[1];
+  for (std::ptrdiff_t row = row0; row < row1; ++row) {
+    const std::ptrdiff_t J = row % coarse.cells[1], K = row / coarse.cells[1];
+    float* sum = coarse.row_sum.data() + row * (coarse.cells[0] + 1);
+    std::fill(sum, sum + coarse.cells[0], 0.0F);
+    for (std::ptrdiff_t k = 2 * K; k < std::min<std::ptrdiff_t>(2 * K + (axes == 3 ? 2 : 1), fine.cells[2]); ++k)
+      for (std::ptrdiff_t j = 2 * J; j < std::min<std::ptrdiff_t>(2 * J + 2, fine.cells[1]); ++j) {
+        const std::ptrdiff_t fine_row = j + k * fine.cells[1], at = coloured_row(fine, fine_row);
+        const int q = parity(fine, fine_row);
+        const std::ptrdiff_t count = (fine.cells[0] - q + 1) / 2, dy = fine.row_step[1], dz = fine.row_step[2];
+        const float *x = red.value.data() + at, *b = red.right_side.data() + at, *d = red.diagonal.data() + at;
+        const float *left = red.coupling[0].data() + at, *right = black.coupling[0].data() + at + q;
+        const float *down = red.coupling[1].data() + at, *up = black.coupling[1].data() + at + dy;
+        const float *o = black.value.data() + at + q, *oy = black.value.data() + at;
+        const float* back = axes == 3 ? red.coupling[axes - 1].data() + at : nullptr;
+        const float* front = axes == 3 ? black.coupling[axes - 1].data() + at + dz : nullptr;
+        for (std::ptrdiff_t m = 0; m < count; ++m) {
+          float r =
+              b[m] - d[m] * x[m] + left[m] * o[m - 1] + right[m] * o[m] + down[m] * oy[m - dy] + up[m] * oy[m + dy];
+          if constexpr (axes == 3) r += back[m] * oy[m - dz] + front[m] * oy[m + dz];
+          sum[m] += r;
+        }
+      }
+    const std::ptrdiff_t to = coloured_row(coarse, row);
+    for (int c = 0; c < 2; ++c) {
+      const int q = c == 0 ? parity(coarse, row) : 1 - parity(coarse, row);
+      const std::ptrdiff_t count = (coarse.cells[0] - q + 1) / 2;
+      float* b = coarse.colour[c].right_side.data() + to;
+      for (std::ptrdiff_t m = 0; m < count; ++m) b[m] = sum[2 * m + q];
+    }
+  }
+}
+
+template <class Space>
+void Multigrid<Space>::prolong_to(const Level& coarse, Level& fine, std::ptrdiff_t row0, std::ptrdiff_t row1) {
+  for (std::ptrdiff_t row = row0; row < row1; ++row) {
+    const std::ptrdiff_t j = row % fine.cells[1], k = row / fine.cells[1];
+    const std::ptrdiff_t coarse_row = j / 2 + (k / (axes == 3 ? 2 : 1)) * coarse.cells[1];
+    const std::ptrdiff_t from = coloured_row(coarse, coarse_row), to = coloured_row(fine, row);
+    const int P = parity(coarse, coarse_row), p = parity(fine, row);
+    for (int c = 0; c < 2; ++c) {
+      const int q = c == 0 ? p : 1 - p;
+      const std::ptrdiff_t count = (fine.cells[0] - q + 1) / 2;
+      float* x = fine.colour[c].value.data() + to;
+      for (int C = 0; C < 2; ++C) {  // fine m lies in coarse cell m; coarse cell 2M + Q has colour C
+        const int Q = C == 0 ? P : 1 - P;
+        const float* e = coarse.colour[C].value.data() + from;
+        for (std::ptrdiff_t M = 0; 2 * M + Q < count; ++M) x[2 * M + Q] += e[M];
+      }
+    }
+  }
+}
+
+template <class Space>
+void Multigrid<Space>::build(const CellMatrix<Space>& matrix, Team& team, int rank) {
+  for (std::size_t l = 0; l < levels_.size(); ++l) {
+    Level& level = levels_[l];
+    const Array& diagonal = l == 0 ? matrix.diagonal : level.diagonal;
+    const auto& coupling = l == 0 ? matrix.coupling : level.coupling;
+    const bool split = shared(level);
+    auto [row0, row1] = split ? team.part(level.rows(), rank) : std::pair{std::ptrdiff_t{0}, level.rows()};
+    if (split || rank == 0) colour_level(level, diagonal, coupling, row0, row1);
+    if (l + 1 < levels_.size()) {
+      Level& coarse = levels_[l + 1];
+      auto [c0, c1] = split ? team.part(coarse.rows(), rank) : std::pair{std::ptrdiff_t{0}, coarse.rows()};
+      if (split || rank == 0) coarsen(level, diagonal, coupling, coarse, c0, c1);
+      if (split) team.barrier();
+    }
+  }
+  if (rank == 0) factor_coarsest();
+  team.barrier();
+}
+
+template <class Space>
+void Multigrid<Space>::cycle_alone(std::size_t l) {
+  if (l + 1 == levels_.size()) return solve_coarsest();
+  Level& level = levels_[l];
+  const std::ptrdiff_t rows = level.rows();
+  smooth(level, 0, true, 0, rows);
+  smooth(level, 1, false, 0, rows);
+  smooth(level, 0, false, 0, rows);
+  smooth(level, 1, false, 0, rows);
+  restrict_to(level, levels_[l + 1], 0, levels_[l + 1].rows());
+  cycle_alone(l + 1);
+  prolong_to(levels_[l + 1], level, 0, rows);
+  for (const int c : {1, 0, 1, 0}) smooth(level, c, false, 0, rows);
+}
+
+template <class Space>
+void Multigrid<Space>::cycle(std::size_t l, Team& team, int rank) {
+  Level& level = levels_[l];
+  if (!shared(level) || l + 1 == levels_.size()) {
+    if (rank == 0) cycle_alone(l);
+    team.barrier();
+    return;
+  }
+  const auto [row0, row1] = team.part(level.rows(), rank);
+  const auto sweep = [&](int c, bool from_zero) {
+    smooth(level, c, from_zero, row0, row1);
+    team.barrier();
+  };
+  sweep(0, true);
+  sweep(1, false);
+  sweep(0, false);
+  sweep(1, false);
+  const auto [c0, c1] = team.part(levels_[l + 1].rows(), rank);
+  restrict_to(level, levels_[l + 1], c0, c1);
+  team.barrier();
+  cycle(l + 1, team, rank);
+  prolong_to(levels_[l + 1], level, row0, row1);
+  team.barrier();
+  for (const int c : {1, 0, 1, 0}) sweep(c, false);
+}
+
+template <class Space>
+void Multigrid<Space>::apply(const Array& r, Array& z, double scale, Team& team, int rank) {
+  Level& level = levels_[0];
+  const bool split = shared(level);
+  const auto [row0, row1] =
+      split ? team.part(level.rows(), rank) : std::pair{std::ptrdiff_t{0}, rank == 0 ? level.rows() : 0};
+  for (std::ptrdiff_t row = row0; row < row1; ++row) {
+    const std::ptrdiff_t from = natural_row(level, row), to = coloured_row(level, row);
+    for (int c = 0; c < 2; ++c) {
+      const int q = c == 0 ? parity(level, row) : 1 - parity(level, row);
+      const std::ptrdiff_t count = (level.cells[0] - q + 1) / 2;
+      float* b = level.colour[c].right_side.data() + to;
+      const double* source = r.data() + from + q;
+      for (std::ptrdiff_t m = 0; m < count; ++m) b[m] = static_cast<float>(scale * source[2 * m]);
+    }
+  }
+  team.barrier();
+  cycle(0, team, rank);
+  const double back = 1 / scale;
+  for (std::ptrdiff_t row = row0; row < row1; ++row) {
+    const std::ptrdiff_t to = natural_row(level, row), from = coloured_row(level, row);
+    for (int c = 0; c < 2; ++c) {
+      const int q = c == 0 ? parity(level, row) : 1 - parity(level, row);
+      const std::ptrdiff_t count = (level.cells[0] - q + 1) / 2;
+      const float* x = level.colour[c].value.data() + from;
+      double* target = z.data() + to + q;
+      for (std::ptrdiff_t m = 0; m < count; ++m) target[2 * m] = back * static_cast<double>(x[m]);
+    }
+  }
+  team.barrier();
+}
+
+template class Multigrid<PlaneStrain>;
+template class Multigrid<Solid>;
+
+}  // namespace polder

@@ -1,0 +1,71 @@
+#pragma once
+// Walls aligned with the grid, by mirror folding.
+//
+// Each phase lives in a box of cells. What spline weights write beyond a wall is added to its mirror image (fold), and
+// what they read there is the mirror image (reflect): even for scalars, masses and, at a smooth wall, tangential
+// components; odd for the component normal to the wall and, at a fully rough wall, for the tangential ones too.
+#include <array>
+
+#include "polder/grid/lattice.hpp"
+
+namespace polder {
+
+enum class WallKind { smooth, rough };
+
+struct PhaseBox {
+  std::array<int, 3> low{0, 0, 0};                ///< first cell inside, per axis
+  std::array<int, 3> high{1, 1, 1};               ///< one past the last cell inside
+  std::array<std::array<WallKind, 2>, 3> wall{};  ///< [axis][0: low side, 1: high side]
+};
+
+namespace detail {
+
+/// Calls body(offset) for every position of the plane across `axis`, ghosts of the other axes included.
+template <class Space, class Body>
+void over_plane(const Lattice<Space>& lattice, int axis, Body&& body) {
+  std::ptrdiff_t count[3] = {1, 1, 1};
+  for (int a = 0; a < Space::axes; ++a)
+    count[a] = a == axis ? 1 : lattice.cells[a] + Lattice<Space>::ghost_low + Lattice<Space>::ghost_high;
+  for (std::ptrdiff_t k = 0; k < count[2]; ++k)
+    for (std::ptrdiff_t j = 0; j < count[1]; ++j)
+      for (std::ptrdiff_t i = 0; i < count[0]; ++i) body(i + j * lattice.stride[1] + k * lattice.stride[2]);
+}
+
+/// Calls body(ghost, image, sign) for every pair of positions that a wall makes mirror images of each other.
+template <class Space, class Body>
+void over_mirrors(int component, bool motion, const PhaseBox& box, const Lattice<Space>& lattice, Body&& body) {
+  for (int axis = 0; axis < Space::axes; ++axis) {
+    const bool normal = component == axis;
+    const std::ptrdiff_t s = lattice.stride[axis], origin = Lattice<Space>::ghost_low * s;
+    for (int side = 0; side < 2; ++side) {
+      const double sign = motion && (normal || box.wall[axis][side] == WallKind::rough) ? -1.0 : 1.0;
+      // faces normal to the wall sit on it and mirror about it; everything else is half a cell off
+      const int low = box.low[axis], high = box.high[axis];
+      const std::ptrdiff_t ghost = origin + (side == 0 ? low - 1 : normal ? high + 1 : high) * s;
+      const std::ptrdiff_t image = origin + (side == 1 ? high - 1 : normal ? low + 1 : low) * s;
+      over_plane(lattice, axis, [&](std::ptrdiff_t at) { body(at + ghost, at + image, sign); });
+    }
+  }
+}
+
+}  // namespace detail
+
+/// Adds what lies beyond the walls to its mirror image and clears it. `component`: axis of a face field, −1 for cells.
+/// `motion`: true for momentum, force, velocity (signs by kind of wall); false for masses and other scalars.
+template <class Space>
+void fold(Array& field, int component, bool motion, const PhaseBox& box, const Lattice<Space>& lattice) {
+  detail::over_mirrors(component, motion, box, lattice, [&](std::ptrdiff_t ghost, std::ptrdiff_t image, double sign) {
+    field[image] += sign * field[ghost];
+    field[ghost] = 0;
+  });
+}
+
+/// Fills what lies beyond the walls with its mirror image. Arguments as for fold().
+template <class Space>
+void reflect(Array& field, int component, bool motion, const PhaseBox& box, const Lattice<Space>& lattice) {
+  detail::over_mirrors(component, motion, box, lattice, [&](std::ptrdiff_t ghost, std::ptrdiff_t image, double sign) {
+    field[ghost] = sign * field[image];
+  });
+}
+
+}  // namespace polder
