@@ -1,0 +1,89 @@
+#pragma once
+// The material points, one contiguous array per quantity, sorted by cell.
+//
+// A point's id is stable for its life and unique within its phase. `home` is the cell in which the point was when the
+// set was last sorted; consecutive points of one home form a group.
+#include <array>
+#include <cstdint>
+
+#include "polder/grid/lattice.hpp"
+#include "polder/material/law.hpp"
+
+namespace polder {
+
+namespace detail {
+template <std::size_t N, class Body>
+void each_of(const char* name, std::array<Array, N>& arrays, Body&& body) {
+  for (std::size_t c = 0; c < N; ++c) body(name, static_cast<int>(c), arrays[c]);
+}
+}  // namespace detail
+
+template <class Space>
+struct WaterPoints {
+  static constexpr int axes = Space::axes;
+  std::array<Array, axes> position;       ///< m
+  std::array<Array, axes> velocity;       ///< m/s
+  std::array<Array, axes * axes> affine;  ///< 1/s, APIC matrix B·D⁻¹, row = component
+  Array volume;                           ///< m³ (per metre in plane strain), true volume of water
+  AlignedVector<std::uint64_t> id;
+  AlignedVector<std::int32_t> home;
+
+  std::size_t size() const { return volume.size(); }
+  /// body(name, component, array) for every array.
+  template <class Body>
+  void each_array(Body&& body) {
+    detail::each_of("position", position, body);
+    detail::each_of("velocity", velocity, body);
+    detail::each_of("affine", affine, body);
+    body("volume", 0, volume);
+    body("id", 0, id);
+    body("home", 0, home);
+  }
+};
+
+template <class Space>
+struct SoilPoints {
+  static constexpr int axes = Space::axes;
+  std::array<Array, axes> position;         ///< m
+  std::array<Array, axes> velocity;         ///< m/s
+  std::array<Array, axes * axes> affine;    ///< 1/s
+  std::array<Array, Space::stress> stress;  ///< Pa, effective, tension positive
+  std::array<Array, axes> reference;        ///< m, position from which displacement counts
+  Array mass;                               ///< kg of grains
+  Array porosity;
+  Array deviatoric_strain;                             ///< ∫ √(2/3 ė:ė) dt
+  std::array<Array, StressBatch<4>::max_state> state;  ///< the law's; [0]: plastic shear strain
+  AlignedVector<std::uint64_t> id;
+  AlignedVector<std::int32_t> home;
+  AlignedVector<std::uint8_t> material;
+  AlignedVector<std::uint8_t> fluid;  ///< 1: grains out of contact
+
+  std::size_t size() const { return mass.size(); }
+  /// body(name, component, array) for every array.
+  template <class Body>
+  void each_array(Body&& body) {
+    detail::each_of("position", position, body);
+    detail::each_of("velocity", velocity, body);
+    detail::each_of("affine", affine, body);
+    detail::each_of("stress", stress, body);
+    detail::each_of("reference", reference, body);
+    detail::each_of("state", state, body);
+    body("mass", 0, mass);
+    body("porosity", 0, porosity);
+    body("deviatoric_strain", 0, deviatoric_strain);
+    body("id", 0, id);
+    body("home", 0, home);
+    body("material", 0, material);
+    body("fluid", 0, fluid);
+  }
+};
+
+/// Every array gets `count` more entries, zero.
+template <class Points>
+std::size_t append_points(Points& points, std::size_t count) {
+  const std::size_t first = points.size();
+  points.each_array([&](const char*, int, auto& array) { array.resize(first + count); });
+  return first;
+}
+
+}  // namespace polder

@@ -1,0 +1,135 @@
+#include "polder/points/resample.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "polder/math/random.hpp"
+#include "polder/points/tiles.hpp"
+
+namespace polder {
+
+namespace {
+
+constexpr double split_distance = 0.35;  // × edge of the point's bulk box, to either side
+
+template <class Space>
+std::array<double, 3> position_of(const WaterPoints<Space>& water, std::size_t p) {
+  std::array<double, 3> x{0, 0, 0};
+  for (int a = 0; a < Space::axes; ++a) x[a] = water.position[a][p];
+  return x;
+}
+
+template <class Space>
+double bulk_volume(const Lattice<Space>& lattice, const Array& cell_porosity, const WaterPoints<Space>& water,
+                   std::size_t p) {
+  const auto cell = cell_of(lattice, position_of(water, p));
+  return water.volume[p] / cell_porosity[lattice.index(cell[0], cell[1], cell[2])];
+}
+
+template <class Space>
+std::array<double, 3> direction_of(const WaterPoints<Space>& water, std::size_t p, std::uint64_t seed,
+                                   std::uint64_t step) {
+  std::array<double, 3> e{0, 0, 0};
+  double square = 0;
+  for (int a = 0; a < Space::axes; ++a) {
+    e[a] = water.velocity[a][p];
+    square += e[a] * e[a];
+  }
+  if (square < 1e-18) {
+    const double angle = 2 * std::numbers::pi * uniform(seed, water.id[p], step);
+    const double up = Space::axes == 3 ? 2 * uniform(seed, water.id[p], step + (1ULL << 62)) - 1 : 0;
+    const double level = std::sqrt(1 - up * up);
+    return {level * std::cos(angle), level * std::sin(angle), up};
+  }
+  for (double& component : e) component /= std::sqrt(square);
+  return e;
+}
+
+}  // namespace
+
+template <class Space>
+std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosity, const ResampleRules& rules,
+                        std::uint64_t step, std::uint64_t& next_id, WaterPoints<Space>& water) {
+  std::vector<std::size_t> stretched;
+  for (std::size_t p = 0; p < water.size(); ++p)
+    if (bulk_volume(lattice, cell_porosity, water, p) >= rules.split_at * rules.nominal) stretched.push_back(p);
+  std::size_t half = append_points(water, stretched.size());
+  for (const std::size_t p : stretched) {
+    const double bulk = bulk_volume(lattice, cell_porosity, water, p);
+    const double edge = Space::axes == 2 ? std::sqrt(bulk) : std::cbrt(bulk);
+    const auto e = direction_of(water, p, rules.seed, step);
+    water.volume[p] *= 0.5;
+    water.each_array([&](const char*, int, auto& array) { array[half] = array[p]; });
+    water.id[half] = next_id++;
+    for (int a = 0; a < Space::axes; ++a) {
+      const double gap = 1e-6 * lattice.spacing[a], shift = split_distance * edge * e[a];
+      for (const auto& [q, sign] : {std::pair{p, 1.0}, std::pair{half, -1.0}})
+        water.position[a][q] = std::clamp(water.position[a][q] + sign * shift, gap, lattice.length(a) - gap);
+    }
+    ++half;
+  }
+  return stretched.size();
+}
+
+template <class Space>
+std::size_t merge_water(const Lattice<Space>& lattice, const Array& cell_porosity, const ResampleRules& rules,
+                        WaterPoints<Space>& water) {
+  const std::size_t n = water.size();
+  const std::size_t crowd = static_cast<std::size_t>(rules.crowded * rules.points_per_cell);
+  std::vector<std::uint8_t> gone;
+  std::size_t merged = 0;
+  for (std::size_t first = 0, last = 0; first < n; first = last) {
+    while (last < n && water.home[last] == water.home[first]) ++last;
+    if (last - first <= crowd) continue;
+    if (gone.empty()) gone.assign(n, 0);
+    std::vector<std::size_t> small;
+    for (std::size_t p = first; p < last; ++p)
+      if (bulk_volume(lattice, cell_porosity, water, p) < rules.merge_below * rules.nominal) small.push_back(p);
+    for (std::size_t left = last - first; left > crowd && small.size() > 1; --left) {
+      std::size_t a = 0, b = 1;
+      double closest = 1e300;
+      for (std::size_t i = 0; i < small.size(); ++i)
+        for (std::size_t j = i + 1; j < small.size(); ++j) {
+          double square = 0;
+          for (int axis = 0; axis < Space::axes; ++axis) {
+            const double d = water.position[axis][small[i]] - water.position[axis][small[j]];
+            square += d * d;
+          }
+          if (square < closest) closest = square, a = i, b = j;
+        }
+      const std::size_t keep = small[a], lose = small[b];
+      const double total = water.volume[keep] + water.volume[lose], share = water.volume[lose] / total;
+      const auto blend = [&](auto& arrays) {
+        for (auto& array : arrays) array[keep] += share * (array[lose] - array[keep]);
+      };
+      blend(water.position);
+      blend(water.velocity);
+      blend(water.affine);
+      water.volume[keep] = total;
+      gone[lose] = 1;
+      ++merged;
+      small.erase(small.begin() + static_cast<std::ptrdiff_t>(b));
+      if (bulk_volume(lattice, cell_porosity, water, keep) >= rules.merge_below * rules.nominal)
+        small.erase(small.begin() + static_cast<std::ptrdiff_t>(a));
+    }
+  }
+  if (merged > 0)
+    water.each_array([&](const char*, int, auto& array) {
+      std::size_t to = 0;
+      for (std::size_t p = 0; p < n; ++p)
+        if (!gone[p]) array[to++] = array[p];
+      array.resize(to);
+    });
+  return merged;
+}
+
+template std::size_t split_water(const Lattice<PlaneStrain>&, const Array&, const ResampleRules&, std::uint64_t,
+                                 std::uint64_t&, WaterPoints<PlaneStrain>&);
+template std::size_t split_water(const Lattice<Solid>&, const Array&, const ResampleRules&, std::uint64_t,
+                                 std::uint64_t&, WaterPoints<Solid>&);
+template std::size_t merge_water(const Lattice<PlaneStrain>&, const Array&, const ResampleRules&,
+                                 WaterPoints<PlaneStrain>&);
+template std::size_t merge_water(const Lattice<Solid>&, const Array&, const ResampleRules&, WaterPoints<Solid>&);
+
+}  // namespace polder

@@ -1,0 +1,85 @@
+#include "polder/points/tiles.hpp"
+
+#include <cmath>
+
+namespace polder {
+
+namespace {
+
+template <class Space>
+constexpr int cells_in_tile = Tiling<Space>::width* Tiling<Space>::width*(Space::axes == 3 ? Tiling<Space>::width : 1);
+
+template <class Space>
+std::array<int, 3> tiles_of(const Lattice<Space>& lattice) {
+  std::array<int, 3> tiles{1, 1, 1};
+  for (int a = 0; a < Space::axes; ++a) tiles[a] = (lattice.cells[a] + Tiling<Space>::width - 1) / Tiling<Space>::width;
+  return tiles;
+}
+
+}  // namespace
+
+template <class Space, class Points>
+void sort_points(const Lattice<Space>& lattice, Points& points, Tiling<Space>& tiling, Team& team) {
+  constexpr int width = Tiling<Space>::width;
+  const auto tiles = tiles_of(lattice);
+  const std::size_t tile_count = static_cast<std::size_t>(tiles[0]) * tiles[1] * tiles[2];
+
+  const std::size_t n = points.size();
+  std::vector<std::uint32_t> key(n), order(n);
+  team.share(static_cast<std::ptrdiff_t>(n), [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    for (std::ptrdiff_t p = begin; p < end; ++p) {
+      std::array<double, 3> x{0, 0, 0};
+      for (int a = 0; a < Space::axes; ++a) x[a] = points.position[a][p];
+      const auto cell = cell_of(lattice, x);
+      std::uint32_t tile = 0, inner = 0;
+      for (int a = Space::axes - 1; a >= 0; --a) {
+        tile = tile * static_cast<std::uint32_t>(tiles[a]) + static_cast<std::uint32_t>(cell[a] / width);
+        inner = inner * width + static_cast<std::uint32_t>(cell[a] % width);
+      }
+      key[p] = tile * cells_in_tile<Space> + inner;
+      points.home[p] = static_cast<std::int32_t>(key[p]);
+    }
+  });
+
+  std::vector<std::uint32_t> start(tile_count * cells_in_tile<Space> + 1, 0);
+  for (const auto k : key) ++start[k + 1];
+  for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
+  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+  for (std::size_t p = 0; p < n; ++p) order[next[key[p]]++] = static_cast<std::uint32_t>(p);
+
+  const auto permute = [&](auto& array) {
+    auto sorted = array;
+    for (std::size_t p = 0; p < n; ++p) sorted[p] = array[order[p]];
+    array.swap(sorted);
+  };
+  std::vector<std::function<void()>> jobs;
+  points.each_array([&](const char*, int, auto& array) { jobs.emplace_back([&permute, &array] { permute(array); }); });
+  team.each(static_cast<std::ptrdiff_t>(jobs.size()), [&](std::ptrdiff_t j) { jobs[j](); });
+
+  tile_points(lattice, points.home, tiling);
+}
+
+template <class Space>
+void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& home, Tiling<Space>& tiling) {
+  const auto tiles = tiles_of(lattice);
+  for (auto& list : tiling.by_colour) list.clear();
+  const auto tile_at = [&](std::size_t p) { return home[p] / cells_in_tile<Space>; };
+  for (std::size_t first = 0, last = 0; first < home.size(); first = last) {
+    int rest = tile_at(first), colour = 0;
+    while (last < home.size() && tile_at(last) == tile_at(first)) ++last;
+    for (int a = 0; a < Space::axes; ++a) {
+      colour |= (rest % tiles[a] % 2) << a;
+      rest /= tiles[a];
+    }
+    tiling.by_colour[colour].push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last - first)});
+  }
+}
+
+template void tile_points(const Lattice<PlaneStrain>&, const AlignedVector<std::int32_t>&, Tiling<PlaneStrain>&);
+template void tile_points(const Lattice<Solid>&, const AlignedVector<std::int32_t>&, Tiling<Solid>&);
+template void sort_points(const Lattice<PlaneStrain>&, WaterPoints<PlaneStrain>&, Tiling<PlaneStrain>&, Team&);
+template void sort_points(const Lattice<PlaneStrain>&, SoilPoints<PlaneStrain>&, Tiling<PlaneStrain>&, Team&);
+template void sort_points(const Lattice<Solid>&, WaterPoints<Solid>&, Tiling<Solid>&, Team&);
+template void sort_points(const Lattice<Solid>&, SoilPoints<Solid>&, Tiling<Solid>&, Team&);
+
+}  // namespace polder

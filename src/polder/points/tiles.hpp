@@ -1,0 +1,49 @@
+#pragma once
+// Points sorted by cell, cells gathered in square tiles, tiles coloured.
+//
+// Within a colour no two tiles write to the same face: a point writes from one cell below to three above its own, and
+// may have drifted half a cell since the last sort, so a tile of six cells or more suffices. Tiles of a colour are
+// processed by any thread in any order; the colours one after the other. So every sum has one order.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "polder/math/threads.hpp"
+#include "polder/points/point_sets.hpp"
+
+namespace polder {
+
+struct TileRange {
+  std::uint32_t first, count;
+};
+
+template <class Space>
+struct Tiling {
+  static constexpr int width = Space::axes == 2 ? 8 : 6;
+  static constexpr int colours = 1 << Space::axes;
+  std::array<std::vector<TileRange>, colours> by_colour;
+};
+
+/// Drift since the last sort, in cells, beyond which points must be sorted again.
+inline constexpr double largest_drift = 0.5;
+
+/// Cell of a position, clamped to the lattice.
+template <class Space>
+std::array<int, 3> cell_of(const Lattice<Space>& lattice, const std::array<double, 3>& x) {
+  std::array<int, 3> cell{0, 0, 0};
+  for (int a = 0; a < Space::axes; ++a) {
+    const int c = static_cast<int>(x[a] / lattice.spacing[a]);
+    cell[a] = c < 0 ? 0 : c >= lattice.cells[a] ? lattice.cells[a] - 1 : c;
+  }
+  return cell;
+}
+
+/// The tiles of points that are sorted, from their homes.
+template <class Space>
+void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& home, Tiling<Space>& tiling);
+
+/// Sorts the points by tile, then cell, stable within a cell; sets `home`.
+template <class Space, class Points>
+void sort_points(const Lattice<Space>& lattice, Points& points, Tiling<Space>& tiling, Team& team);
+
+}  // namespace polder
