@@ -1,0 +1,138 @@
+#pragma once
+// Spline weights for a chunk of consecutive points, and the two moves that every transfer is made of: adding a point's
+// rows to the grid and summing the grid's rows at a point (docs/theory.md, "Transfers").
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "polder/grid/lattice.hpp"
+#include "polder/grid/spline.hpp"
+#include "polder/math/simd.hpp"
+
+namespace polder {
+
+inline constexpr int chunk_size = 32;
+
+/// What the transfers need of where the points of a chunk are. Set 0: centres, set 1: faces.
+template <class Space>
+struct alignas(64) ChunkWeights {
+  static constexpr int axes = Space::axes;
+  double delta[axes][2][chunk_size];
+  double weight[axes][2][3][chunk_size];      // of axes ≥ 1
+  double offset[axes][2][3][chunk_size];      // weight × (node − point), spacings
+  double derivative[axes][2][3][chunk_size];  // per spacing
+  int cell_base[chunk_size];                  // index of the stencil's first cell centre
+  int face_shift[axes][chunk_size];           // further steps to the first face
+  int cell[axes][chunk_size];                 // the point's cell
+
+  void compute(const Lattice<Space>& lattice, const std::array<const double*, axes>& position, int count) {
+    for (int l = 0; l < count; ++l) cell_base[l] = static_cast<int>(lattice.index(-1, -1, axes == 3 ? -1 : 0));
+    for (int a = 0; a < axes; ++a) {
+      const double inverse = 1 / lattice.spacing[a];
+      const int step = static_cast<int>(lattice.stride[a]);
+      const double* x = position[a];
+      for (int l = 0; l < count; ++l) {
+        const double scaled = x[l] * inverse;
+        const int b = static_cast<int>(scaled);
+        const double f = scaled - b;
+        const int upper = f >= 0.5;
+        cell[a][l] = b;
+        cell_base[l] += b * step;
+        face_shift[a][l] = upper * step;
+        delta[a][0][l] = f - 0.5;
+        delta[a][1][l] = f - upper;
+      }
+      if (a == 0) continue;
+      for (int set = 0; set < 2; ++set)
+        for (int l = 0; l < count; ++l) {
+          double w[3], o[3], d[3];
+          spline_weights(delta[a][set][l], w, o, d);
+          for (int i = 0; i < 3; ++i) {
+            weight[a][set][i][l] = w[i];
+            offset[a][set][i][l] = o[i];
+            derivative[a][set][i][l] = d[i];
+          }
+        }
+    }
+  }
+};
+
+/// Index of the cell in which point l is.
+template <class Space>
+inline std::ptrdiff_t cell_index(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int l) {
+  return lattice.index(chunk.cell[0][l], chunk.cell[1][l], Space::axes == 3 ? chunk.cell[Space::axes - 1][l] : 0);
+}
+
+/// Index of the first node of point l's stencil for component c.
+template <int c, class Space>
+inline std::ptrdiff_t stencil_base(const ChunkWeights<Space>& chunk, int l) {
+  return chunk.cell_base[l] + chunk.face_shift[c][l];
+}
+
+/// Visits the rows of point l's stencil of component c: body(position of the row relative to the base, and the weights,
+/// offsets and derivatives of its y and z). In plane strain z's are 1, 0, 0.
+template <int c, class Space, class Body>
+[[gnu::always_inline]] inline void over_rows(const ChunkWeights<Space>& chunk, const Lattice<Space>& lattice, int l,
+                                             Body&& body) {
+  constexpr int sy = c == 1;
+  if constexpr (Space::axes == 2) {
+    for (int j = 0; j < 3; ++j)
+      body(j * lattice.stride[1], chunk.weight[1][sy][j][l], chunk.offset[1][sy][j][l], chunk.derivative[1][sy][j][l],
+           1.0, 0.0, 0.0);
+  } else {
+    constexpr int sz = c == 2;
+    for (int k = 0; k < 3; ++k)
+      for (int j = 0; j < 3; ++j)
+        body(j * lattice.stride[1] + k * lattice.stride[2], chunk.weight[1][sy][j][l], chunk.offset[1][sy][j][l],
+             chunk.derivative[1][sy][j][l], chunk.weight[2][sz][k][l], chunk.offset[2][sz][k][l],
+             chunk.derivative[2][sz][k][l]);
+  }
+}
+
+/// Share of a point's content that falls in each of the 2^axes cells that its own box overlaps. The box has `half`
+/// spacings on either side (at most half a cell) and is pushed inside [low, high) cells.
+template <class Space>
+struct BoxOverlap {
+  std::ptrdiff_t base = 0;
+  double share[3][2];
+
+  BoxOverlap(const Lattice<Space>& lattice, const std::array<double, 3>& position, double half,
+             const std::array<int, 3>& low, const std::array<int, 3>& high) {
+    half = std::min(0.5, half);
+    const double inverse = 1 / (2 * half);
+    int first[3] = {0, 0, 0};
+    for (int a = 0; a < Space::axes; ++a) {
+      const double x = std::min(std::max(position[a] / lattice.spacing[a], low[a] + half), high[a] - half);
+      const int cell = std::max(low[a], static_cast<int>(x - half));
+      first[a] = cell;
+      share[a][0] = std::min(1.0, std::max(0.0, (cell + 1 - (x - half)) * inverse));
+      share[a][1] = 1 - share[a][0];
+    }
+    base = lattice.index(first[0], first[1], first[2]);
+  }
+
+  /// body(cell index, share)
+  template <class Body>
+  [[gnu::always_inline]] void over_cells(const Lattice<Space>& lattice, Body&& body) const {
+    if constexpr (Space::axes == 2) {
+      for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i) body(base + i + j * lattice.stride[1], share[0][i] * share[1][j]);
+    } else {
+      for (int k = 0; k < 2; ++k)
+        for (int j = 0; j < 2; ++j)
+          for (int i = 0; i < 2; ++i)
+            body(base + i + j * lattice.stride[1] + k * lattice.stride[2], share[0][i] * share[1][j] * share[2][k]);
+    }
+  }
+};
+
+/// Half the edge, in spacings, of a box of volume `volume` with the proportions of a cell.
+template <class Space>
+inline double half_edge(double volume, double cell_volume) {
+  if constexpr (Space::axes == 2)
+    return 0.5 * std::sqrt(volume / cell_volume);
+  else
+    return 0.5 * std::cbrt(volume / cell_volume);
+}
+
+}  // namespace polder

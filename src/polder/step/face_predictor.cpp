@@ -1,0 +1,164 @@
+#include "polder/step/face_predictor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "polder/step/face_loop.hpp"
+
+namespace polder {
+
+namespace {
+
+constexpr double soil_present = 1e-6;      // share of a face full of grains below which it has no soil
+constexpr double force_floor = 1e-4;       // least share of grains that an internal force is divided by
+constexpr double water_present = 1e-9;     // share of a face full of water below which it has no water of its own
+constexpr double least_saturation = 0.25;  // of a face with one wet side
+
+struct FaceState {
+  double water, soil;                    // velocities, m/s
+  double water_response, soil_response;  // d/d(∇p)
+};
+
+/// The 2 × 2 system of drag on one face, per volume: Mw = S n ρw, Ms = m_s/V_f, C the drag; right-hand sides Mw vw*,
+/// Ms vs* and, for the responses, −Δt S (n, 1 − n).
+FaceState couple(double water, double soil, double Mw, double Ms, double C, double n, double S, double dt,
+                 bool water_fixed, bool soil_fixed, bool water_absent) {
+  const double ew = dt * n * S, es = dt * (1 - n) * S;
+  if (soil_fixed && water_fixed) return {0, 0, 0, 0};
+  if (soil_fixed) {
+    const double m = Mw + dt * C;
+    return {Mw * water / m, 0, -ew / m, 0};
+  }
+  if (water_fixed || water_absent) {
+    const double m = Ms + dt * C;
+    const double v = water_absent ? soil : Ms * soil / m;
+    return {water_fixed ? 0 : v, v, 0, -es / m};
+  }
+  const double a = Mw + dt * C, b = Ms + dt * C, o = dt * C;
+  const double inverse = 1 / (Mw * Ms + dt * C * (Mw + Ms));
+  const double rw = Mw * water, rs = Ms * soil;
+  return {(b * rw + o * rs) * inverse, (a * rs + o * rw) * inverse, -(b * ew + o * es) * inverse,
+          -(a * es + o * ew) * inverse};
+}
+
+}  // namespace
+
+template <class Space>
+void predict_faces(const Setup<Space>& setup, const StepControl& control, double dt, GridFields<Space>& grid,
+                   Team& team) {
+  const auto& lattice = setup.lattice;
+  const double cell_volume = lattice.cell_volume(), inverse_volume = 1 / cell_volume;
+  const double rho_w = setup.water.density, g = setup.gravity * control.gravity_factor;
+  const bool one_material = setup.materials.size() <= 1;
+  const double rho_s0 = setup.materials.empty() ? 2650 : setup.materials.front().grain_density;
+  const bool all_fixed = !setup.materials.empty() &&
+                         std::all_of(setup.materials.begin(), setup.materials.end(), [](auto& m) { return m.fixed; });
+
+  for (int c = 0; c < Space::axes; ++c) {
+    const std::ptrdiff_t s = lattice.stride[c];
+    const bool vertical = c == Space::up;
+    const double* soil_mass = grid.soil_mass[c].data();
+    const double* water_mass = grid.water_mass[c].data();
+    const double* force = grid.soil_force[c].data();
+    const double* flux = grid.relative_flux[c].data();
+    const double* linear_drag = grid.linear_drag[setup.anisotropic && vertical].data();
+    const double* quadratic_drag = grid.quadratic_drag[setup.anisotropic && vertical].data();
+    double *vs = grid.soil_velocity[c].data(), *vw = grid.water_velocity[c].data(), *porosity = grid.porosity[c].data();
+    double *rw = grid.water_response[c].data(), *rs = grid.soil_response[c].data(), *beta = grid.mobility[c].data();
+    std::uint8_t* reached = grid.reached[c].data();
+
+    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int j, int k) {
+      for (int i = 0; i < count; ++i) {
+        const std::ptrdiff_t f = first + i, low = f - s;
+        const int place = place_on_axis(c, i, j, k);
+        const bool wall = place == 0 || place == lattice.cells[c];
+        const bool both_wet = grid.wet[low] && grid.wet[f], beside_wet = grid.wet[low] || grid.wet[f];
+        reached[f] = beside_wet;
+        if (soil_mass[f] == 0 && water_mass[f] == 0 && !beside_wet) {
+          vs[f] = vw[f] = rs[f] = rw[f] = beta[f] = 0;
+          porosity[f] = 1;
+          continue;
+        }
+        const double volume = wall ? 0.5 * cell_volume : cell_volume;
+        const double solid = grid.solid_volume[low] + grid.solid_volume[f];
+        const double rho_s =
+            one_material || solid <= 0 ? rho_s0 : (grid.soil_cell_mass[low] + grid.soil_cell_mass[f]) / solid;
+        const double full_of_grains = rho_s * volume;
+        const double n = std::max(0.2, 1 - soil_mass[f] / full_of_grains);
+        porosity[f] = n;
+        const bool has_soil = soil_mass[f] > soil_present * full_of_grains;
+
+        double S = std::min(1.0, water_mass[f] / (rho_w * n * volume));
+        const bool has_water = S > water_present;
+        if (beside_wet) S = both_wet ? 1 : std::max(least_saturation, S);
+
+        double soil = has_soil ? vs[f] / soil_mass[f] : 0;
+        double water = water_mass[f] > water_present * rho_w * volume ? vw[f] / water_mass[f] : soil;
+        if (has_soil) {
+          soil += dt * force[f] / std::max(soil_mass[f], force_floor * full_of_grains);
+          if (vertical) soil -= dt * g;
+          soil *= 1 - std::min(1.0, control.damping * dt);
+        }
+        if (vertical) water -= dt * g;
+
+        const bool soil_fixed = wall || all_fixed || place <= setup.soil_box.low[c] || place >= setup.soil_box.high[c];
+        const bool water_fixed = wall || (control.hold_water && !vertical);
+        FaceState state{0, 0, 0, 0};
+        if (!has_soil) {
+          if (!water_fixed) {
+            state.water = water;
+            state.water_response = -dt / rho_w;
+          }
+        } else {
+          const double linear = 0.5 * (linear_drag[low] + linear_drag[f]);
+          const double quadratic = 0.5 * (quadratic_drag[low] + quadratic_drag[f]);
+          const double C = n * n * (linear + quadratic * flux[f]) * inverse_volume * S;
+          state = couple(water, soil, n * rho_w * std::max(S, 1e-6), std::max(soil_mass[f] / volume, 1e-9), C, n, S, dt,
+                         water_fixed, soil_fixed, !has_water && !beside_wet);
+        }
+        vw[f] = state.water;
+        vs[f] = state.soil;
+        rw[f] = state.water_response;
+        rs[f] = state.soil_response;
+        beta[f] = -(n * state.water_response + (1 - n) * state.soil_response);
+      }
+    });
+  }
+}
+
+template <class Space>
+void update_discharge(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) {
+  const auto& lattice = setup.lattice;
+  for (int c = 0; c < Space::axes; ++c) {
+    const std::ptrdiff_t s = lattice.stride[c];
+    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int, int) {
+      for (std::ptrdiff_t f = first; f < first + count; ++f) {
+        grid.discharge[c][f] = grid.porosity[c][f] * (grid.water_velocity[c][f] - grid.soil_velocity[c][f]);
+        if (grid.soil_mass[c][f] <= 0) {
+          grid.relative_flux[c][f] = 0;
+          continue;
+        }
+        double square = 0;
+        for (int o = 0; o < Space::axes; ++o) {
+          double u = 0;
+          if (o == c) {
+            u = grid.water_velocity[c][f] - grid.soil_velocity[c][f];
+          } else {  // mean of the four faces around
+            const std::ptrdiff_t t = lattice.stride[o];
+            for (const std::ptrdiff_t at : {f - s, f, f - s + t, f + t})
+              u += 0.25 * (grid.water_velocity[o][at] - grid.soil_velocity[o][at]);
+          }
+          square += u * u;
+        }
+        grid.relative_flux[c][f] = grid.porosity[c][f] * std::sqrt(square);
+      }
+    });
+  }
+}
+
+template void predict_faces(const Setup<PlaneStrain>&, const StepControl&, double, GridFields<PlaneStrain>&, Team&);
+template void predict_faces(const Setup<Solid>&, const StepControl&, double, GridFields<Solid>&, Team&);
+template void update_discharge(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&, Team&);
+template void update_discharge(const Setup<Solid>&, GridFields<Solid>&, Team&);
+
+}  // namespace polder

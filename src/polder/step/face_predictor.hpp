@@ -1,0 +1,19 @@
+#pragma once
+// Both phases' velocities on the faces before the pressure acts, with the drag between them solved implicitly, and
+// their responses to a pressure gradient. docs/theory.md, "Step 3".
+#include "polder/math/threads.hpp"
+#include "polder/step/fields.hpp"
+#include "polder/step/setup.hpp"
+
+namespace polder {
+
+template <class Space>
+void predict_faces(const Setup<Space>& setup, const StepControl& control, double dt, GridFields<Space>& grid,
+                   Team& team);
+
+/// q = n(v_w − v_s) on the faces, and |q| for the next step's quadratic drag. After the pressure has acted and ghosts
+/// of the velocities are set.
+template <class Space>
+void update_discharge(const Setup<Space>& setup, GridFields<Space>& grid, Team& team);
+
+}  // namespace polder

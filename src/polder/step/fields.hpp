@@ -1,0 +1,69 @@
+#pragma once
+// Everything that lives on the grid during a step. Names follow docs/theory.md; per phase and per component.
+#include <cstdint>
+
+#include "polder/grid/lattice.hpp"
+#include "polder/grid/walls.hpp"
+
+namespace polder {
+
+template <class Space>
+struct GridFields {
+  explicit GridFields(const Lattice<Space>& lattice)
+      : soil_mass(make_face_field(lattice)),
+        soil_velocity(make_face_field(lattice)),
+        soil_force(make_face_field(lattice)),
+        water_mass(make_face_field(lattice)),
+        water_velocity(make_face_field(lattice)),
+        porosity(make_face_field(lattice)),
+        relative_flux(make_face_field(lattice)),
+        discharge(make_face_field(lattice)),
+        soil_response(make_face_field(lattice)),
+        water_response(make_face_field(lattice)),
+        mobility(make_face_field(lattice)),
+        shift(make_face_field(lattice)),
+        solid_volume(lattice.make_array()),
+        soil_cell_mass(lattice.make_array()),
+        linear_drag{lattice.make_array(), lattice.make_array()},
+        quadratic_drag{lattice.make_array(), lattice.make_array()},
+        water_volume(lattice.make_array()),
+        cell_porosity(lattice.make_array()),
+        fill(lattice.make_array()),
+        pressure(lattice.make_array()),
+        potential(lattice.make_array()),
+        wet(static_cast<std::size_t>(lattice.size), 0),
+        layer{wet, wet},
+        soil_known(wet) {
+    for (auto& v : reached) v = wet;
+  }
+
+  // on faces
+  FaceField<Space> soil_mass;       ///< kg
+  FaceField<Space> soil_velocity;   ///< kg m/s while points write to it, m/s afterwards
+  FaceField<Space> soil_force;      ///< N, internal forces −Σ V σ'·∇N
+  FaceField<Space> water_mass;      ///< kg
+  FaceField<Space> water_velocity;  ///< as soil_velocity
+  FaceField<Space> porosity;        ///< n_f = 1 − m_s/(ρs V_f)
+  FaceField<Space> relative_flux;   ///< |q| = n|v_w − v_s| of the last step, m/s, lagged in the quadratic drag
+  FaceField<Space> discharge;       ///< q = n(v_w − v_s), m/s, for the advection of water points
+  FaceField<Space> soil_response, water_response;                ///< dv/d(∇p), m/s per Pa/m
+  FaceField<Space> mobility;                                     ///< β_f = −(n dv_w + (1−n) dv_s)/d(∇p)
+  FaceField<Space> shift;                                        ///< m, correction of the water's positions
+  std::array<AlignedVector<std::uint8_t>, Space::axes> reached;  ///< 1: a wet cell beside the face
+
+  // in cells
+  Array solid_volume;                   ///< m³, by overlap of the points' boxes
+  Array soil_cell_mass;                 ///< kg, likewise
+  std::array<Array, 2> linear_drag;     ///< Σ V a(n), Pa s m; horizontal and, where it differs, vertical
+  std::array<Array, 2> quadratic_drag;  ///< Σ V b(n), kg/m
+  Array water_volume;                   ///< m³, by overlap
+  Array cell_porosity;
+  Array fill;       ///< F = water volume / pore volume
+  Array pressure;   ///< Pa, kept from step to step
+  Array potential;  ///< ψ of the volume correction, m²
+  AlignedVector<std::uint8_t> wet;
+  std::array<AlignedVector<std::uint8_t>, 2> layer;  ///< scratch of extrapolations
+  AlignedVector<std::uint8_t> soil_known;
+};
+
+}  // namespace polder

@@ -1,0 +1,187 @@
+#include "polder/step/grid_to_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "polder/step/gather.hpp"
+#include "polder/step/soil_stress.hpp"
+
+namespace polder {
+
+namespace {
+
+constexpr double wall_gap = 1e-6;             // cells: how close to a wall a point may come
+constexpr double porosity_relaxation = 0.02;  // per step, of a fluid point's porosity towards the grid's
+
+/// Runs body(tile) over all tiles and gathers the motion they report.
+template <class Space, class Body>
+Motion over_tiles(const Tiling<Space>& tiling, Team& team, Body&& body) {
+  Motion motion;
+  std::mutex mutex;  // taken once a tile; a maximum does not depend on the order
+  for (const auto& tiles : tiling.by_colour)
+    team.each(static_cast<std::ptrdiff_t>(tiles.size()), [&](std::ptrdiff_t t) {
+      const Motion of_tile = body(tiles[t]);
+      const std::lock_guard lock(mutex);
+      motion.take(of_tile);
+    });
+  return motion;
+}
+
+/// APIC: the point takes the grid's velocity and affine motion (B·D⁻¹, D = h²/4).
+template <int c, class Space, class Points>
+void take_motion(const Lattice<Space>& lattice, const Gathered<Space>& gathered, std::size_t first, int count,
+                 Points& points) {
+  for (int l = 0; l < count; ++l) points.velocity[c][first + l] = gathered.value[l];
+  for (int a = 0; a < Space::axes; ++a) {
+    const double factor = 4 / lattice.spacing[a];
+    double* affine = points.affine[c * Space::axes + a].data() + first;
+    for (int l = 0; l < count; ++l) affine[l] = factor * gathered.moment[a][l];
+  }
+}
+
+/// Moves points by `displacement` on axis a, held inside the phase's box.
+inline void move(double* x, const double* displacement, int count, double low, double high) {
+  for (int l = 0; l < count; ++l) x[l] = std::min(std::max(x[l] + displacement[l], low), high);
+}
+
+/// The grid's porosity around a soil point.
+template <class Space>
+double grid_porosity(const Setup<Space>& setup, const GridFields<Space>& grid, const SoilPoints<Space>& soil,
+                     std::size_t p) {
+  std::array<double, 3> x{0, 0, 0};
+  for (int a = 0; a < Space::axes; ++a) x[a] = soil.position[a][p];
+  double n = 0;
+  BoxOverlap<Space>(setup.lattice, x, 0.5, setup.soil_box.low, setup.soil_box.high)
+      .over_cells(setup.lattice, [&](std::ptrdiff_t cell, double share) { n += share * grid.cell_porosity[cell]; });
+  return n;
+}
+
+/// Number of points from `first` that make up whole groups and fit a chunk; a group too large for one is cut.
+template <class Space>
+int whole_groups(const SoilPoints<Space>& soil, std::size_t first, std::size_t end) {
+  const std::size_t room = std::min<std::size_t>(chunk_size, end - first);
+  if (first + room == end) return static_cast<int>(room);
+  std::size_t last = first + room;
+  while (last > first && soil.home[last - 1] == soil.home[last]) --last;
+  return static_cast<int>(last == first ? room : last - first);
+}
+
+}  // namespace
+
+template <class Space>
+Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, const Tiling<Space>& tiling,
+                     WaterPoints<Space>& water, Team& team) {
+  const auto& lattice = setup.lattice;
+  return over_tiles(tiling, team, [&](TileRange tile) {
+    Motion motion;
+    ChunkWeights<Space> chunk;
+    Gathered<Space> gathered;
+    double displacement[Space::axes][chunk_size], porosity[chunk_size], discharge[chunk_size];
+    for (std::uint32_t done = 0; done < tile.count; done += chunk_size) {
+      const std::size_t first = tile.first + done;
+      const int count = std::min(chunk_size, static_cast<int>(tile.count - done));
+      chunk.compute(lattice, pointers_at<Space>(water.position, first), count);
+      bool in_soil = false;
+      for (int l = 0; l < count; ++l) {
+        porosity[l] = grid.cell_porosity[cell_index(lattice, chunk, l)];
+        in_soil = in_soil || porosity[l] < 1;
+      }
+      over_components<Space>([&]<int c>() {
+        gather_component<c, false>(lattice, chunk, count, grid.water_velocity[c].data(), gathered);
+        take_motion<c>(lattice, gathered, first, count, water);
+        gather_value<c>(lattice, chunk, count, grid.shift[c].data(), displacement[c]);
+        if (in_soil) {
+          gather_value<c>(lattice, chunk, count, grid.discharge[c].data(), discharge);
+          gather_value<c>(lattice, chunk, count, grid.soil_velocity[c].data(), gathered.value);
+          for (int l = 0; l < count; ++l) gathered.value[l] += discharge[l] / porosity[l];
+        }
+        const double inverse = 1 / lattice.spacing[c];
+        for (int l = 0; l < count; ++l) {
+          displacement[c][l] += dt * gathered.value[l];
+          motion.speed = std::max(motion.speed, std::abs(gathered.value[l]) * inverse);
+          motion.drift = std::max(motion.drift, std::abs(displacement[c][l]) * inverse);
+        }
+      });
+      for (int a = 0; a < Space::axes; ++a)
+        move(water.position[a].data() + first, displacement[a], count,
+             (setup.water_box.low[a] + wall_gap) * lattice.spacing[a],
+             (setup.water_box.high[a] - wall_gap) * lattice.spacing[a]);
+    }
+    return motion;
+  });
+}
+
+template <class Space>
+Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, const Tiling<Space>& tiling,
+                    SoilPoints<Space>& soil, Team& team) {
+  const auto& lattice = setup.lattice;
+  const double fbar = setup.numerics.fbar;
+  return over_tiles(tiling, team, [&](TileRange tile) {
+    Motion motion;
+    ChunkWeights<Space> chunk;
+    Gathered<Space> gathered;
+    VelocityGradients<Space> gradients;
+    double displacement[Space::axes][chunk_size], dilation[chunk_size];
+    std::ptrdiff_t cell[chunk_size];
+    for (std::size_t first = tile.first, end = first + tile.count; first < end;) {
+      const int count = whole_groups(soil, first, end);
+      chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
+      for (int l = 0; l < count; ++l) cell[l] = cell_index(lattice, chunk, l);
+      over_components<Space>([&]<int c>() {
+        gather_component<c, true>(lattice, chunk, count, grid.soil_velocity[c].data(), gathered);
+        take_motion<c>(lattice, gathered, first, count, soil);
+        for (int a = 0; a < Space::axes; ++a) {
+          const double inverse = 1 / lattice.spacing[a];
+          for (int l = 0; l < count; ++l) gradients.at[c][a][l] = gathered.gradient[a][l] * inverse;
+        }
+        const double inverse = 1 / lattice.spacing[c];
+        for (int l = 0; l < count; ++l) {
+          displacement[c][l] = dt * gathered.value[l];
+          motion.speed = std::max(motion.speed, std::abs(gathered.value[l]) * inverse);
+        }
+      });
+      motion.drift = motion.speed * dt;
+      for (int a = 0; a < Space::axes; ++a)
+        move(soil.position[a].data() + first, displacement[a], count,
+             (setup.soil_box.low[a] + wall_gap) * lattice.spacing[a],
+             (setup.soil_box.high[a] - wall_gap) * lattice.spacing[a]);
+
+      for (int l = 0; l < count;) {
+        int last = l;
+        double volume = 0, change = 0;
+        for (; last < count && soil.home[first + last] == soil.home[first + l]; ++last) {
+          double own = 0;
+          for (int a = 0; a < Space::axes; ++a) own += gradients.at[a][a][last];
+          const double v = soil.mass[first + last] / (1 - soil.porosity[first + last]);
+          dilation[last] = own;
+          volume += v;
+          change += v * own;
+        }
+        const double mean = change / volume;
+        for (; l < last; ++l) dilation[l] = (1 - fbar) * dilation[l] + fbar * mean;
+      }
+      update_soil(setup, dt, first, count, gradients, dilation, soil);
+      for (int l = 0; l < count; ++l) {
+        const std::size_t p = first + l;
+        if (!soil.fluid[p] || !grid.wet[cell[l]]) continue;
+        const double n_max = setup.materials[soil.material[p]].max_porosity;
+        const double target = std::clamp(grid_porosity(setup, grid, soil, p), n_max - 0.02, 0.95);
+        soil.porosity[p] += porosity_relaxation * (target - soil.porosity[p]);
+      }
+      first += static_cast<std::size_t>(count);
+    }
+    return motion;
+  });
+}
+
+template Motion grid_to_water(const Setup<PlaneStrain>&, double, const GridFields<PlaneStrain>&,
+                              const Tiling<PlaneStrain>&, WaterPoints<PlaneStrain>&, Team&);
+template Motion grid_to_water(const Setup<Solid>&, double, const GridFields<Solid>&, const Tiling<Solid>&,
+                              WaterPoints<Solid>&, Team&);
+template Motion grid_to_soil(const Setup<PlaneStrain>&, double, const GridFields<PlaneStrain>&,
+                             const Tiling<PlaneStrain>&, SoilPoints<PlaneStrain>&, Team&);
+template Motion grid_to_soil(const Setup<Solid>&, double, const GridFields<Solid>&, const Tiling<Solid>&,
+                             SoilPoints<Solid>&, Team&);
+
+}  // namespace polder

@@ -1,0 +1,194 @@
+#include "polder/step/points_to_grid.hpp"
+
+#include <algorithm>
+
+#include "polder/step/gather.hpp"
+
+namespace polder {
+
+namespace {
+
+/// |q| in a cell, from the faces below and above it.
+template <class Space>
+double flux_in_cell(const GridFields<Space>& grid, const Lattice<Space>& lattice, std::ptrdiff_t cell) {
+  const Array& flux = grid.relative_flux[Space::up];
+  return 0.5 * (flux[cell] + flux[cell + lattice.stride[Space::up]]);
+}
+
+/// Mass and momentum of component c; with `with_force`, the internal force too.
+template <int c, bool with_force, class Space, class Points>
+void scatter_component(const Lattice<Space>& lattice, const Points& points, const double* mass, const double* volume,
+                       std::size_t first, int count, const ChunkWeights<Space>& chunk, double* mass_field,
+                       double* momentum_field, double* force_field) {
+  constexpr int axes = Space::axes;
+  const auto& h = lattice.spacing;
+  const double* velocity = points.velocity[c].data() + first;
+  std::array<const double*, axes> affine{};
+  for (int a = 0; a < axes; ++a) affine[a] = points.affine[c * axes + a].data() + first;
+  std::array<const double*, axes> stress{};
+  if constexpr (with_force)
+    for (int a = 0; a < axes; ++a) stress[a] = points.stress[stress_index<Space>(c, a)].data() + first;
+
+  for (int l = 0; l < count; ++l) {
+    const SplineRow row = spline_row(chunk.delta[0][c == 0][l]);
+    const double m = mass[l];
+    const Vec4 mass_row = m * row.weight;
+    const Vec4 momentum_row = (m * velocity[l]) * row.weight + (m * h[0] * affine[0][l]) * row.offset;
+    const Vec4 momentum_y = (m * h[1] * affine[1][l]) * row.weight;
+    Vec4 momentum_z{}, force_row{}, force_y{}, force_z{};
+    if constexpr (axes == 3) momentum_z = (m * h[2] * affine[axes - 1][l]) * row.weight;
+    if constexpr (with_force) {
+      const double v = -volume[l];
+      force_row = (v * stress[0][l] / h[0]) * row.derivative;
+      force_y = (v * stress[1][l] / h[1]) * row.weight;
+      if constexpr (axes == 3) force_z = (v * stress[axes - 1][l] / h[2]) * row.weight;
+    }
+    const std::ptrdiff_t base = stencil_base<c>(chunk, l);
+    over_rows<c>(chunk, lattice, l,
+                 [&](std::ptrdiff_t at, double wy, double oy, double dy, double wz, double oz, double dz) {
+                   const std::ptrdiff_t node = base + at;
+                   store4(mass_field + node, load4(mass_field + node) + (wy * wz) * mass_row);
+                   Vec4 p = load4(momentum_field + node) + (wy * wz) * momentum_row + (oy * wz) * momentum_y;
+                   if constexpr (axes == 3) p += (wy * oz) * momentum_z;
+                   store4(momentum_field + node, p);
+                   if constexpr (with_force) {
+                     Vec4 f = load4(force_field + node) + (wy * wz) * force_row + (dy * wz) * force_y;
+                     if constexpr (axes == 3) f += (wy * dz) * force_z;
+                     store4(force_field + node, f);
+                   }
+                 });
+  }
+}
+
+template <class Space>
+void clear_faces(FaceField<Space>& field, Team& team) {
+  for (auto& component : field)
+    team.share(static_cast<std::ptrdiff_t>(component.size()), [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+      std::fill(component.begin() + begin, component.begin() + end, 0.0);
+    });
+}
+
+/// Runs body(first point, count) over chunks of every tile, colour after colour.
+template <class Space, class Body>
+void over_chunks(const Tiling<Space>& tiling, Team& team, Body&& body) {
+  for (const auto& tiles : tiling.by_colour)
+    team.each(static_cast<std::ptrdiff_t>(tiles.size()), [&](std::ptrdiff_t t) {
+      const TileRange range = tiles[t];
+      for (std::uint32_t done = 0; done < range.count; done += chunk_size)
+        body(static_cast<std::size_t>(range.first + done), std::min(chunk_size, static_cast<int>(range.count - done)));
+    });
+}
+
+}  // namespace
+
+template <class Space>
+void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
+                  GridFields<Space>& grid, Team& team) {
+  const auto& lattice = setup.lattice;
+  clear_faces<Space>(grid.soil_mass, team);
+  clear_faces<Space>(grid.soil_velocity, team);
+  clear_faces<Space>(grid.soil_force, team);
+  for (auto* field : {&grid.solid_volume, &grid.soil_cell_mass, &grid.linear_drag[0], &grid.linear_drag[1],
+                      &grid.quadratic_drag[0], &grid.quadratic_drag[1]})
+    std::fill(field->begin(), field->end(), 0.0);
+  const double cell_volume = lattice.cell_volume();
+
+  over_chunks(tiling, team, [&](std::size_t first, int count) {
+    ChunkWeights<Space> chunk;
+    chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
+    double volume[chunk_size];
+    for (int l = 0; l < count; ++l) {
+      const std::size_t p = first + l;
+      const SoilMaterial& material = setup.materials[soil.material[p]];
+      const double solid = soil.mass[p] / material.grain_density, n = soil.porosity[p];
+      volume[l] = solid / (1 - n);
+      const std::ptrdiff_t own = cell_index(lattice, chunk, l);
+      double a[2], b[2];
+      for (int d = 0; d < (setup.anisotropic ? 2 : 1); ++d) {
+        const Drag& drag = material.drag[d];
+        const bool plain = drag.law == DragLaw::ergun || drag.law == DragLaw::darcy;
+        a[d] = volume[l] *
+               (plain ? linear_resistance(drag, n) : drag_coefficient(drag, n, flux_in_cell(grid, lattice, own)));
+        b[d] = plain ? volume[l] * quadratic_resistance(drag, n) : 0;
+      }
+      std::array<double, 3> x{0, 0, 0};
+      for (int d = 0; d < Space::axes; ++d) x[d] = soil.position[d][p];
+      const BoxOverlap<Space> box(lattice, x, half_edge<Space>(volume[l], cell_volume), setup.soil_box.low,
+                                  setup.soil_box.high);
+      box.over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
+        grid.solid_volume[cell] += share * solid;
+        grid.soil_cell_mass[cell] += share * soil.mass[p];
+        grid.linear_drag[0][cell] += share * a[0];
+        grid.quadratic_drag[0][cell] += share * b[0];
+        if (setup.anisotropic) {
+          grid.linear_drag[1][cell] += share * a[1];
+          grid.quadratic_drag[1][cell] += share * b[1];
+        }
+      });
+    }
+    over_components<Space>([&]<int c>() {
+      scatter_component<c, true>(lattice, soil, soil.mass.data() + first, volume, first, count, chunk,
+                                 grid.soil_mass[c].data(), grid.soil_velocity[c].data(), grid.soil_force[c].data());
+    });
+  });
+
+  for (int c = 0; c < Space::axes; ++c) {
+    fold(grid.soil_mass[c], c, false, setup.soil_box, lattice);
+    fold(grid.soil_velocity[c], c, true, setup.soil_box, lattice);
+    fold(grid.soil_force[c], c, true, setup.soil_box, lattice);
+  }
+  for (std::size_t cell = 0; cell < grid.cell_porosity.size(); ++cell)
+    grid.cell_porosity[cell] = std::max(0.2, 1 - grid.solid_volume[cell] / cell_volume);
+}
+
+template <class Space>
+void water_to_grid(const Setup<Space>& setup, const WaterPoints<Space>& water, const Tiling<Space>& tiling,
+                   GridFields<Space>& grid, Team& team) {
+  const auto& lattice = setup.lattice;
+  clear_faces<Space>(grid.water_mass, team);
+  clear_faces<Space>(grid.water_velocity, team);
+  std::fill(grid.water_volume.begin(), grid.water_volume.end(), 0.0);
+  const double cell_volume = lattice.cell_volume(), density = setup.water.density;
+
+  over_chunks(tiling, team, [&](std::size_t first, int count) {
+    ChunkWeights<Space> chunk;
+    chunk.compute(lattice, pointers_at<Space>(water.position, first), count);
+    double mass[chunk_size];
+    for (int l = 0; l < count; ++l) {
+      const std::size_t p = first + l;
+      mass[l] = density * water.volume[p];
+      std::array<double, 3> x{0, 0, 0};
+      for (int d = 0; d < Space::axes; ++d) x[d] = water.position[d][p];
+      const std::ptrdiff_t own = cell_index(lattice, chunk, l);
+      const double bulk = water.volume[p] / grid.cell_porosity[own];
+      const BoxOverlap<Space> box(lattice, x, std::max(0.1, half_edge<Space>(bulk, cell_volume)), setup.water_box.low,
+                                  setup.water_box.high);
+      box.over_cells(lattice,
+                     [&](std::ptrdiff_t cell, double share) { grid.water_volume[cell] += share * water.volume[p]; });
+    }
+    over_components<Space>([&]<int c>() {
+      scatter_component<c, false>(lattice, water, mass, nullptr, first, count, chunk, grid.water_mass[c].data(),
+                                  grid.water_velocity[c].data(), nullptr);
+    });
+  });
+
+  for (int c = 0; c < Space::axes; ++c) {
+    fold(grid.water_mass[c], c, false, setup.water_box, lattice);
+    fold(grid.water_velocity[c], c, true, setup.water_box, lattice);
+  }
+  for (std::size_t cell = 0; cell < grid.fill.size(); ++cell) {
+    grid.fill[cell] = grid.water_volume[cell] / (grid.cell_porosity[cell] * cell_volume);
+    grid.wet[cell] = grid.fill[cell] > setup.numerics.wet_threshold;
+  }
+}
+
+template void soil_to_grid(const Setup<PlaneStrain>&, const SoilPoints<PlaneStrain>&, const Tiling<PlaneStrain>&,
+                           GridFields<PlaneStrain>&, Team&);
+template void soil_to_grid(const Setup<Solid>&, const SoilPoints<Solid>&, const Tiling<Solid>&, GridFields<Solid>&,
+                           Team&);
+template void water_to_grid(const Setup<PlaneStrain>&, const WaterPoints<PlaneStrain>&, const Tiling<PlaneStrain>&,
+                            GridFields<PlaneStrain>&, Team&);
+template void water_to_grid(const Setup<Solid>&, const WaterPoints<Solid>&, const Tiling<Solid>&, GridFields<Solid>&,
+                            Team&);
+
+}  // namespace polder

@@ -1,0 +1,232 @@
+#include "polder/step/projection.hpp"
+
+#include <algorithm>
+
+#include "polder/step/face_loop.hpp"
+
+namespace polder {
+
+namespace {
+
+/// Fills the solver's matrix from face coefficients: −∇·(coefficient ∇) over wet cells with p = 0 at the surface, whose
+/// distance is `distance(wet cell, dry cell)` spacings, plus `storage(cell)` on the diagonal.
+template <class Space, class Coefficient, class Distance, class Storage>
+void assemble(const Setup<Space>& setup, const GridFields<Space>& grid, CellMatrix<Space>& matrix, Team& team,
+              Coefficient&& coefficient, Distance&& distance, Storage&& storage) {
+  const auto& lattice = setup.lattice;
+  std::array<double, 3> scale{};
+  for (int a = 0; a < Space::axes; ++a) scale[a] = lattice.cell_volume() / (lattice.spacing[a] * lattice.spacing[a]);
+  over_cell_rows(lattice, team, [&](std::ptrdiff_t first, int, int) {
+    for (std::ptrdiff_t cell = first; cell < first + lattice.cells[0]; ++cell) {
+      for (int a = 0; a < Space::axes; ++a) matrix.coupling[a][cell] = 0;
+      matrix.diagonal[cell] = 0;
+      if (!grid.wet[cell]) continue;
+      double sum = storage(cell);
+      for (int a = 0; a < Space::axes; ++a) {
+        const std::ptrdiff_t s = lattice.stride[a];
+        const double low = scale[a] * coefficient(a, cell), high = scale[a] * coefficient(a, cell + s);
+        if (grid.wet[cell - s]) {
+          matrix.coupling[a][cell] = low;
+          sum += low;
+        } else if (low > 0) {
+          sum += low / distance(cell, cell - s);
+        }
+        if (grid.wet[cell + s])
+          sum += high;
+        else if (high > 0)
+          sum += high / distance(cell, cell + s);
+      }
+      matrix.diagonal[cell] = sum > 1e-30 ? sum : 0;
+    }
+  });
+}
+
+/// Carries component c of a face field `layers` layers beyond the faces where `known` is not 0, by the mean of the
+/// known neighbours. Returns where the field is known then.
+template <class Space>
+const AlignedVector<std::uint8_t>& spread(const Lattice<Space>& lattice, int c,
+                                          const AlignedVector<std::uint8_t>& known, int layers, Array& field,
+                                          std::array<AlignedVector<std::uint8_t>, 2>& scratch, Team& team) {
+  auto& [before, after] = scratch;
+  double* v = field.data();
+  before = known;
+  for (int layer = 0; layer < layers; ++layer) {
+    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int j, int k) {
+      for (int i = 0; i < count; ++i) {
+        const std::ptrdiff_t f = first + i;
+        after[f] = before[f];
+        if (before[f]) continue;
+        const int at[3] = {i, j, k};
+        double sum = 0;
+        int number = 0;
+        for (int a = 0; a < Space::axes; ++a) {
+          const std::ptrdiff_t s = lattice.stride[a];
+          if (at[a] > 0 && before[f - s]) sum += v[f - s], ++number;
+          if (at[a] < lattice.cells[a] - (a != c) && before[f + s]) sum += v[f + s], ++number;
+        }
+        if (number == 0) continue;
+        v[f] = sum / number;
+        after[f] = 1;
+      }
+    });
+    before.swap(after);
+  }
+  return before;
+}
+
+}  // namespace
+
+template <class Space>
+void extrapolate_soil(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) {
+  const auto& lattice = setup.lattice;
+  auto& known = grid.soil_known;
+  for (int c = 0; c < Space::axes; ++c) {
+    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int, int) {
+      for (std::ptrdiff_t f = first; f < first + count; ++f) known[f] = grid.soil_mass[c][f] > 0;
+    });
+    spread(lattice, c, known, 1, grid.soil_velocity[c], grid.layer, team);
+  }
+}
+
+template <class Space>
+SolveResult project(const Setup<Space>& setup, double dt, GridFields<Space>& grid, PressureSolver<Space>& solver,
+                    Team& team) {
+  const auto& lattice = setup.lattice;
+  const double storage = lattice.cell_volume() / (setup.water.bulk_modulus * dt);
+  const auto distance = [&](std::ptrdiff_t wet, std::ptrdiff_t dry) {
+    return surface_distance(grid.fill[wet], grid.fill[dry]);
+  };
+  assemble(
+      setup, grid, solver.matrix, team, [&](int a, std::ptrdiff_t f) { return grid.mobility[a][f]; }, distance,
+      [&](std::ptrdiff_t cell) { return storage * grid.cell_porosity[cell]; });
+
+  over_cell_rows(lattice, team, [&](std::ptrdiff_t first, int, int) {
+    for (std::ptrdiff_t cell = first; cell < first + lattice.cells[0]; ++cell) {
+      if (!grid.wet[cell]) {
+        solver.right_side[cell] = 0;
+        continue;
+      }
+      double divergence = 0;
+      for (int a = 0; a < Space::axes; ++a) {
+        const auto flux = [&](std::ptrdiff_t f) {
+          const double n = grid.porosity[a][f];
+          return n * grid.water_velocity[a][f] + (1 - n) * grid.soil_velocity[a][f];
+        };
+        divergence += lattice.face_area(a) * (flux(cell + lattice.stride[a]) - flux(cell));
+      }
+      solver.right_side[cell] = storage * grid.cell_porosity[cell] * grid.pressure[cell] - divergence;
+    }
+  });
+  const SolveResult result = solver.solve(grid.pressure, setup.numerics.pressure_tolerance, 400, team);
+
+  for (int c = 0; c < Space::axes; ++c) {
+    const std::ptrdiff_t s = lattice.stride[c];
+    const double inverse = 1 / lattice.spacing[c];
+    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int, int) {
+      for (std::ptrdiff_t f = first; f < first + count; ++f) {
+        if (!grid.reached[c][f] || grid.mobility[c][f] <= 0) continue;
+        const std::ptrdiff_t low = f - s;
+        double gradient;
+        if (grid.wet[low] && grid.wet[f])
+          gradient = (grid.pressure[f] - grid.pressure[low]) * inverse;
+        else if (grid.wet[low])
+          gradient = -grid.pressure[low] * inverse / distance(low, f);
+        else
+          gradient = grid.pressure[f] * inverse / distance(f, low);
+        grid.water_velocity[c][f] += grid.water_response[c][f] * gradient;
+        grid.soil_velocity[c][f] += grid.soil_response[c][f] * gradient;
+      }
+    });
+  }
+  return result;
+}
+
+template <class Space>
+void extrapolate_water(const Setup<Space>& setup, GridFields<Space>& grid, FaceField<Space>& field, bool keep_ballistic,
+                       Team& team) {
+  const auto& lattice = setup.lattice;
+  for (int c = 0; c < Space::axes; ++c) {
+    double* v = field[c].data();
+    const AlignedVector<std::uint8_t>& filled = spread(lattice, c, grid.reached[c], 2, field[c], grid.layer, team);
+    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int j, int k) {
+      for (int i = 0; i < count; ++i) {
+        const std::ptrdiff_t f = first + i;
+        const int place = place_on_axis(c, i, j, k);
+        const bool beyond = !filled[f] && !(keep_ballistic && grid.water_mass[c][f] > 0);
+        if (beyond || place == 0 || place == lattice.cells[c]) v[f] = 0;
+      }
+    });
+  }
+}
+
+template <class Space>
+SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, PressureSolver<Space>& solver,
+                           Team& team) {
+  const auto& lattice = setup.lattice;
+  // water does not respond to a pressure gradient where it is held: at walls, at gates
+  const auto closed = [&](int a, std::ptrdiff_t f) { return grid.water_response[a][f] == 0; };
+  assemble(
+      setup, grid, solver.matrix, team, [&](int a, std::ptrdiff_t f) { return closed(a, f) ? 0 : grid.porosity[a][f]; },
+      [](std::ptrdiff_t, std::ptrdiff_t) { return 0.5; }, [](std::ptrdiff_t) { return 0.0; });
+  const double volume = lattice.cell_volume();
+  const double floor = 1e-6 * volume / (lattice.smallest_spacing() * lattice.smallest_spacing());
+  over_cell_rows(lattice, team, [&](std::ptrdiff_t first, int j, int k) {
+    for (int i = 0; i < lattice.cells[0]; ++i) {
+      const std::ptrdiff_t cell = first + i;
+      grid.potential[cell] = solver.right_side[cell] = 0;
+      if (!grid.wet[cell]) continue;
+      if (solver.matrix.diagonal[cell] > 0) solver.matrix.diagonal[cell] += floor;
+      const int at[3] = {i, j, k};
+      bool inside = true;
+      for (int a = 0; a < Space::axes; ++a) {
+        const std::ptrdiff_t s = lattice.stride[a];
+        inside = inside && (at[a] == 0 || grid.wet[cell - s]) && (at[a] == lattice.cells[a] - 1 || grid.wet[cell + s]);
+      }
+      double error = grid.fill[cell] - 1;
+      if (!inside) error = std::max(0.0, error);
+      solver.right_side[cell] =
+          setup.numerics.volume_correction * grid.cell_porosity[cell] * volume * std::clamp(error, -0.5, 0.5);
+    }
+  });
+  const SolveResult result = solver.solve(grid.potential, 1e-2, 60, team);
+
+  for (int c = 0; c < Space::axes; ++c) {
+    const std::ptrdiff_t s = lattice.stride[c];
+    const double h = lattice.spacing[c];
+    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int, int) {
+      for (std::ptrdiff_t f = first; f < first + count; ++f) {
+        double d = 0;
+        if (grid.reached[c][f] && !closed(c, f)) {
+          if (grid.wet[f - s] && grid.wet[f])
+            d = grid.potential[f - s] - grid.potential[f];
+          else
+            d = grid.wet[f - s] ? 2 * grid.potential[f - s] : -2 * grid.potential[f];
+        }
+        grid.shift[c][f] = std::clamp(d / h, -0.1 * h, 0.1 * h);
+      }
+    });
+  }
+  extrapolate_water(setup, grid, grid.shift, false, team);
+  for (int c = 0; c < Space::axes; ++c) {
+    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int, int) {
+      for (std::ptrdiff_t f = first; f < first + count; ++f)
+        if (closed(c, f)) grid.shift[c][f] = 0;
+    });
+    reflect(grid.shift[c], c, true, setup.water_box, lattice);
+  }
+  return result;
+}
+
+template SolveResult project(const Setup<PlaneStrain>&, double, GridFields<PlaneStrain>&, PressureSolver<PlaneStrain>&,
+                             Team&);
+template SolveResult project(const Setup<Solid>&, double, GridFields<Solid>&, PressureSolver<Solid>&, Team&);
+template SolveResult correct_volume(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&, PressureSolver<PlaneStrain>&,
+                                    Team&);
+template SolveResult correct_volume(const Setup<Solid>&, GridFields<Solid>&, PressureSolver<Solid>&, Team&);
+template void extrapolate_soil(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&, Team&);
+template void extrapolate_soil(const Setup<Solid>&, GridFields<Solid>&, Team&);
+template void extrapolate_water(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&, FaceField<PlaneStrain>&, bool,
+                                Team&);
+template void extrapolate_water(const Setup<Solid>&, GridFields<Solid>&, FaceField<Solid>&, bool, Team&);
+
+}  // namespace polder

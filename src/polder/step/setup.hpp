@@ -1,0 +1,50 @@
+#pragma once
+// What does not change during a run (or changes only from stage to stage): grid, walls, materials, water, choices.
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "polder/case/model.hpp"
+#include "polder/grid/lattice.hpp"
+#include "polder/grid/walls.hpp"
+#include "polder/material/drag.hpp"
+#include "polder/material/law.hpp"
+
+namespace polder {
+
+struct SoilMaterial {
+  std::shared_ptr<const SoilLaw> law;
+  double grain_density = 2650;  ///< kg/m³
+  double initial_porosity = 0.4;
+  double max_porosity = 0.5;
+  Drag drag[2];        ///< horizontal, vertical
+  bool fixed = false;  ///< grains do not move
+};
+
+template <class Space>
+struct Setup {
+  Lattice<Space> lattice;
+  PhaseBox soil_box, water_box;
+  std::vector<SoilMaterial> materials;
+  WaterProperties water;
+  Numerics numerics;
+  double gravity = 9.81;     ///< m/s²
+  int points_per_axis = 2;   ///< of a full cell at the start
+  bool anisotropic = false;  ///< some material drains differently in the vertical
+  double soil_step = 1e300;  ///< s, CFL limit of the drained P-wave
+
+  double nominal_point_volume() const {
+    double v = lattice.cell_volume();
+    for (int a = 0; a < Space::axes; ++a) v /= points_per_axis;
+    return v;
+  }
+};
+
+/// What a stage sets for each of its steps.
+struct StepControl {
+  double gravity_factor = 1;
+  double damping = 0;       ///< 1/s on the soil's velocity
+  bool hold_water = false;  ///< no horizontal flow of water
+};
+
+}  // namespace polder

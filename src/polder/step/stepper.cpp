@@ -1,0 +1,138 @@
+#include "polder/step/stepper.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "polder/points/resample.hpp"
+#include "polder/step/face_predictor.hpp"
+#include "polder/step/points_to_grid.hpp"
+
+namespace polder {
+
+namespace {
+
+constexpr double point_cfl = 0.5;    // cells that a point may cross in a step
+constexpr double surface_cfl = 0.1;  // of √(h/g): free surfaces are advanced explicitly
+constexpr std::uint64_t resample_every = 10;
+
+class Stopwatch {
+ public:
+  void lap(double& total) {
+    const auto now = std::chrono::steady_clock::now();
+    total += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+template <class Space>
+Stepper<Space>::Stepper(Setup<Space> setup_, SoilPoints<Space> soil_, WaterPoints<Space> water_, int threads)
+    : setup(std::move(setup_)),
+      soil(std::move(soil_)),
+      water(std::move(water_)),
+      grid(setup.lattice),
+      next_water_id(water.size()),
+      team(threads),
+      solver_(setup.lattice) {}
+
+template <class Space>
+double Stepper<Space>::natural_step() const {
+  double dt = std::min(setup.numerics.max_step, soil.size() > 0 ? setup.soil_step : 1e300);
+  if (setup.gravity > 0 && water.size() > 0)
+    dt = std::min(dt, surface_cfl * std::sqrt(setup.lattice.smallest_spacing() / setup.gravity));
+  if (motion.speed > 0) dt = std::min(dt, point_cfl / motion.speed);
+  return dt;
+}
+
+template <class Space>
+void Stepper<Space>::sort_if_drifted() {
+  if (unsorted_ || drift_water > largest_drift) {
+    sort_points(setup.lattice, water, water_tiling_, team);
+    drift_water = 0;
+  }
+  if (unsorted_ || drift_soil > largest_drift) {
+    sort_points(setup.lattice, soil, soil_tiling_, team);
+    drift_soil = 0;
+  }
+  unsorted_ = 0;
+}
+
+template <class Space>
+void Stepper<Space>::restored() {
+  if (unsorted_) return;
+  tile_points(setup.lattice, soil.home, soil_tiling_);
+  tile_points(setup.lattice, water.home, water_tiling_);
+}
+
+template <class Space>
+void Stepper<Space>::resample() {
+  ResampleRules rules;
+  rules.nominal = setup.nominal_point_volume();
+  rules.points_per_cell = static_cast<int>(std::lround(std::pow(setup.points_per_axis, Space::axes)));
+  rules.seed = setup.numerics.seed;
+  const std::size_t split = split_water(setup.lattice, grid.cell_porosity, rules, step, next_water_id, water);
+  if (split > 0 || drift_water > largest_drift) {
+    sort_points(setup.lattice, water, water_tiling_, team);
+    drift_water = 0;
+    if (merge_water(setup.lattice, grid.cell_porosity, rules, water) > 0)
+      sort_points(setup.lattice, water, water_tiling_, team);
+  }
+}
+
+template <class Space>
+StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
+  StepReport report;
+  report.dt = dt;
+  Stopwatch watch;
+
+  sort_if_drifted();
+  watch.lap(times.sort);
+
+  soil_to_grid(setup, soil, soil_tiling_, grid, team);
+  water_to_grid(setup, water, water_tiling_, grid, team);
+  watch.lap(times.to_grid);
+
+  predict_faces(setup, control, dt, grid, team);
+  watch.lap(times.faces);
+
+  report.pressure = project(setup, dt, grid, solver_, team);
+  watch.lap(times.pressure);
+
+  extrapolate_water(setup, grid, grid.water_velocity, true, team);
+  extrapolate_soil(setup, grid, team);
+  for (int c = 0; c < Space::axes; ++c) {
+    if (control.hold_water && c != Space::up)
+      std::fill(grid.water_velocity[c].begin(), grid.water_velocity[c].end(), 0.0);
+    reflect(grid.water_velocity[c], c, true, setup.water_box, setup.lattice);
+    reflect(grid.soil_velocity[c], c, true, setup.soil_box, setup.lattice);
+  }
+  update_discharge(setup, grid, team);
+  for (int c = 0; c < Space::axes; ++c) reflect(grid.discharge[c], c, true, setup.water_box, setup.lattice);
+  watch.lap(times.faces);
+
+  report.volume = correct_volume(setup, grid, solver_, team);
+  watch.lap(times.volume);
+
+  const Motion of_water = grid_to_water(setup, dt, grid, water_tiling_, water, team);
+  const Motion of_soil = grid_to_soil(setup, dt, grid, soil_tiling_, soil, team);
+  drift_water += of_water.drift;
+  drift_soil += of_soil.drift;
+  motion = of_water;
+  motion.take(of_soil);
+  watch.lap(times.to_points);
+
+  ++step;
+  if (setup.numerics.split_water && soil.size() > 0 && step % resample_every == 0) resample();
+  watch.lap(times.resample);
+  return report;
+}
+
+template class Stepper<PlaneStrain>;
+template class Stepper<Solid>;
+
+}  // namespace polder

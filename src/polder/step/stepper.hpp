@@ -1,0 +1,74 @@
+#pragma once
+// One time step of the double-point formulation, and the state it works on. docs/theory.md has the equations.
+#include <string>
+
+#include "polder/points/tiles.hpp"
+#include "polder/step/fields.hpp"
+#include "polder/step/grid_to_points.hpp"
+#include "polder/step/projection.hpp"
+#include "polder/step/setup.hpp"
+
+namespace polder {
+
+/// What a step did.
+struct StepReport {
+  double dt = 0;  ///< s
+  SolveResult pressure, volume;
+};
+
+/// Wall time by phase of the step, s.
+struct StepTimes {
+  double sort = 0, to_grid = 0, faces = 0, pressure = 0, volume = 0, to_points = 0, resample = 0;
+};
+
+template <class Space>
+class Stepper {
+ public:
+  Stepper(Setup<Space> setup, SoilPoints<Space> soil, WaterPoints<Space> water, int threads);
+
+  /// The step that stability and accuracy allow now, s.
+  double natural_step() const;
+  StepReport advance(const StepControl& control, double dt);
+
+  /// After points were added, removed or moved from outside.
+  void points_changed() { unsorted_ = true; }
+
+  /// Everything that the next steps depend on, by name: archive(name, value or array). Restoring ends with restored().
+  template <class Archive>
+  void each_state(Archive&& archive) {
+    soil.each_array(
+        [&](const char* name, int c, auto& a) { archive("soil/" + std::string(name) + std::to_string(c), a); });
+    water.each_array(
+        [&](const char* name, int c, auto& a) { archive("water/" + std::string(name) + std::to_string(c), a); });
+    archive("grid/pressure", grid.pressure);
+    for (int c = 0; c < Space::axes; ++c) archive("grid/relative_flux" + std::to_string(c), grid.relative_flux[c]);
+    archive("step", step);
+    archive("next_water_id", next_water_id);
+    archive("speed", motion.speed);
+    archive("drift_water", drift_water);
+    archive("drift_soil", drift_soil);
+    archive("unsorted", unsorted_);
+  }
+  void restored();
+
+  Setup<Space> setup;
+  SoilPoints<Space> soil;
+  WaterPoints<Space> water;
+  GridFields<Space> grid;
+  std::uint64_t step = 0;  ///< steps taken
+  std::uint64_t next_water_id = 0;
+  Motion motion;                           ///< of the last step
+  double drift_water = 0, drift_soil = 0;  ///< cells, since the last sort
+  StepTimes times;
+  Team team;
+
+ private:
+  void sort_if_drifted();
+  void resample();
+
+  Tiling<Space> soil_tiling_, water_tiling_;
+  PressureSolver<Space> solver_;
+  std::uint64_t unsorted_ = 1;
+};
+
+}  // namespace polder
