@@ -1,0 +1,71 @@
+#pragma once
+// What a run must keep: mass of solids, volume of water, agreement of the flux on the grid with the motion of the
+// points, cells neither overfilled nor underfilled.
+#include <string>
+#include <vector>
+
+#include "polder/case/model.hpp"
+#include "polder/step/stepper.hpp"
+
+namespace polder {
+
+template <class Space>
+class Audit {
+ public:
+  /// Starts from the state as it is. The flux is audited through the lines of the boundaries that are open to water; if
+  /// there are none, through the upright plane in the middle of the model.
+  Audit(const Model& model, const Stepper<Space>& state);
+
+  /// After a step.
+  void take(const Stepper<Space>& state, double dt);
+
+  double solid_mass_error(const Stepper<Space>& state) const;     ///< relative
+  double water_balance_error(const Stepper<Space>& state) const;  ///< (stored − initial − in + out)/initial
+  /// |∫ flux dt − change of the points' volume beyond the section| / largest volume that has passed (at least a
+  /// thousandth of all water), worst section.
+  double flux_balance_error() const;
+
+  template <class Archive>
+  void each_state(Archive&& archive) {
+    archive("audit/solid_at_start", solid_at_start_);
+    archive("audit/water_at_start", water_at_start_);
+    archive("audit/overfilled", overfilled_most);
+    archive("audit/underfilled", underfilled_most);
+    archive("audit/pressure_iterations", pressure_iterations);
+    archive("audit/volume_iterations", volume_iterations);
+    archive("audit/steps", steps);
+    archive("audit/water_in", water_in);
+    archive("audit/water_out", water_out);
+    for (std::size_t i = 0; i < sections_.size(); ++i) {
+      const std::string name = "audit/section" + std::to_string(i) + "/";
+      archive(name + "beyond_at_start", sections_[i].beyond_at_start);
+      archive(name + "moved", sections_[i].moved);
+      archive(name + "passed", sections_[i].passed);
+      archive(name + "passed_before", sections_[i].passed_before);
+      archive(name + "most", sections_[i].most);
+    }
+  }
+
+  double overfilled_now = 0, underfilled_now = 0;  ///< share of wet cells with F > 1.05; of interior ones with F < 0.95
+  double overfilled_most = 0, underfilled_most = 0;
+  std::uint64_t pressure_iterations = 0, volume_iterations = 0;
+  std::uint64_t steps = 0;
+  double water_in = 0, water_out = 0;  ///< m³
+
+ private:
+  struct Section {
+    int axis, face;
+    double beyond_at_start = 0;                      ///< m³ of water past the section when the first step began
+    double moved = 0;                                ///< change of it until the last step began
+    double passed = 0, passed_before = 0, most = 0;  ///< ∫ flux dt: after the last step, before it, largest so far
+  };
+  double water_beyond(const Stepper<Space>& state, const Section& section) const;
+
+  std::vector<Section> sections_;
+  double solid_at_start_ = 0, water_at_start_ = 0;
+};
+
+/// Σ of an array over the points in ascending order of id: the same in whatever order they lie.
+double sum_by_id(const AlignedVector<std::uint64_t>& id, const Array& value);
+
+}  // namespace polder

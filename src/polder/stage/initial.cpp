@@ -1,0 +1,165 @@
+#include "polder/stage/initial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "polder/case/geometry.hpp"
+
+namespace polder {
+
+namespace {
+
+struct SideOf {
+  int axis, end;  // end 0: low, 1: high
+};
+
+template <class Space>
+SideOf side_of(Side side) {
+  switch (side) {
+    case Side::left:
+      return {0, 0};
+    case Side::right:
+      return {0, 1};
+    case Side::front:
+      return {1, 0};
+    case Side::back:
+      return {1, 1};
+    case Side::base:
+      return {Space::up, 0};
+    case Side::top:
+      break;
+  }
+  return {Space::up, 1};
+}
+
+/// A line inside the model keeps the soil on the side where there is more of it.
+template <class Space>
+void place_soil_wall(const Model& model, const Boundary& boundary, Setup<Space>& setup) {
+  const auto& lattice = setup.lattice;
+  const bool upright = std::abs(boundary.line[0][0] - boundary.line[1][0]) < 1e-9 * lattice.length(0);
+  const int axis = upright ? 0 : Space::up;
+  const double at = boundary.line[0][upright ? 0 : 1];
+  const int face = static_cast<int>(std::lround(at / lattice.spacing[axis]));
+  double below = 0, above = 0;
+  for (const auto& body : model.soils) {
+    const Bounds extent = bounds(body.region.polygon);
+    const int part = upright ? 0 : 1;
+    below += std::max(0.0, at - extent.low[part]);
+    above += std::max(0.0, extent.high[part] - at);
+  }
+  const int end = above >= below ? 0 : 1;
+  (end == 0 ? setup.soil_box.low : setup.soil_box.high)[axis] = face;
+  setup.soil_box.wall[axis][end] = boundary.soil == SoilCondition::rough ? WallKind::rough : WallKind::smooth;
+}
+
+/// Pressure (Pa) that the deepest soil of the model may carry: for laws whose stiffness grows with it.
+double deepest_pressure(const Model& model) {
+  const double height = model.size[model.space == SpaceKind::solid ? 2 : 1];
+  double density = 0;
+  for (const auto& m : model.materials) density = std::max(density, (1 - m.porosity) * m.grain_density);
+  return density * model.gravity * height;
+}
+
+/// K0 = 1 − sin φ' (Jaky) where the law has an angle of friction, else ν/(1 − ν).
+double earth_pressure_at_rest(const MaterialInput& material) {
+  const LawDescription* law = find_soil_law(material.law);
+  double nu = 0.3, phi = 0;
+  for (std::size_t k = 0; k < law->parameters.size(); ++k) {
+    if (law->parameters[k].key == "poisson_ratio") nu = material.law_parameters[k];
+    if (law->parameters[k].key == "friction_angle") phi = material.law_parameters[k];
+  }
+  return phi > 0 ? 1 - std::sin(phi) : nu / (1 - nu);
+}
+
+}  // namespace
+
+template <class Space>
+Setup<Space> make_setup(const Model& model) {
+  Setup<Space> setup;
+  std::array<int, 3> cells{1, 1, 1};
+  for (int a = 0; a < Space::axes; ++a) cells[a] = static_cast<int>(std::lround(model.size[a] / model.cell[a]));
+  setup.lattice = Lattice<Space>(cells, model.cell);
+  setup.water = model.water;
+  setup.numerics = model.numerics;
+  setup.gravity = model.gravity;
+  setup.points_per_axis = model.points_per_axis;
+
+  for (PhaseBox* box : {&setup.soil_box, &setup.water_box})
+    for (int a = 0; a < Space::axes; ++a) box->high[a] = cells[a];
+  for (const Boundary& boundary : model.boundaries) {
+    if (boundary.soil == SoilCondition::none) continue;
+    if (boundary.side) {
+      const auto [axis, end] = side_of<Space>(*boundary.side);
+      if (boundary.soil == SoilCondition::rough) setup.soil_box.wall[axis][end] = WallKind::rough;
+    } else {
+      place_soil_wall(model, boundary, setup);
+    }
+  }
+
+  const double h = setup.lattice.smallest_spacing(), pressure = deepest_pressure(model);
+  for (const MaterialInput& input : model.materials) {
+    const LawDescription* law = find_soil_law(input.law);
+    if (law == nullptr) throw std::invalid_argument("no soil law is called '" + input.law + "'");
+    SoilMaterial material;
+    material.law = law->make(input.law_parameters, {h, input.porosity, input.max_porosity});
+    material.grain_density = input.grain_density;
+    material.initial_porosity = input.porosity;
+    material.max_porosity = input.max_porosity;
+    material.fixed = input.fixed;
+    for (int d = 0; d < 2; ++d) {
+      DragInput drag{input.drag,     input.ergun_a,       input.ergun_b,         input.grain_diameter, std::nullopt,
+                     input.porosity, model.water.density, model.water.viscosity, model.gravity};
+      if (input.permeability) drag.conductivity = (*input.permeability)[d];
+      material.drag[d] = make_drag(drag);
+    }
+    if (input.permeability && (*input.permeability)[0] != (*input.permeability)[1]) setup.anisotropic = true;
+    if (!input.fixed) {
+      const double speed =
+          std::sqrt(material.law->constrained_modulus(pressure) / ((1 - input.porosity) * input.grain_density));
+      setup.soil_step = std::min(setup.soil_step, model.numerics.cfl * h / speed);
+    }
+    setup.materials.push_back(std::move(material));
+  }
+  return setup;
+}
+
+template <class Space>
+void set_k0_stress(const Model& model, const Setup<Space>& setup, SoilPoints<Space>& soil) {
+  constexpr int up = Space::up;
+  const auto& lattice = setup.lattice;
+  std::array<double, 3> d{1, 1, 1};
+  for (int a = 0; a < Space::axes; ++a) d[a] = lattice.spacing[a] / model.points_per_axis;
+  std::vector<double> k0_of;
+  for (const auto& material : model.materials) k0_of.push_back(earth_pressure_at_rest(material));
+  std::map<std::pair<long, long>, std::vector<std::size_t>> columns;
+  for (std::size_t p = 0; p < soil.size(); ++p)
+    columns[{static_cast<long>(soil.position[0][p] / d[0]),
+             Space::axes == 3 ? static_cast<long>(soil.position[1][p] / d[1]) : 0}]
+        .push_back(p);
+  for (auto& [place, points] : columns) {
+    std::sort(points.begin(), points.end(),
+              [&](std::size_t a, std::size_t b) { return soil.position[up][a] > soil.position[up][b]; });
+    double weight = 0;  // of whole layers above, Pa
+    for (const std::size_t p : points) {
+      const MaterialInput& material = model.materials[soil.material[p]];
+      const bool submerged =
+          !model.water_table.empty() && soil.position[up][p] < height_at(model.water_table, soil.position[0][p]);
+      const double density = (1 - material.porosity) * (material.grain_density - (submerged ? model.water.density : 0));
+      const double layer = density * model.gravity * d[up];
+      const double ceiling = (std::floor(soil.position[up][p] / d[up]) + 1) * d[up];
+      const double vertical = -(weight + density * model.gravity * (ceiling - soil.position[up][p]));
+      weight += layer;
+      const double k0 = model.k0.value_or(k0_of[soil.material[p]]);
+      for (int a = 0; a < 3; ++a) soil.stress[a][p] = a == up ? vertical : k0 * vertical;
+    }
+  }
+}
+
+template Setup<PlaneStrain> make_setup(const Model&);
+template Setup<Solid> make_setup(const Model&);
+template void set_k0_stress(const Model&, const Setup<PlaneStrain>&, SoilPoints<PlaneStrain>&);
+template void set_k0_stress(const Model&, const Setup<Solid>&, SoilPoints<Solid>&);
+
+}  // namespace polder

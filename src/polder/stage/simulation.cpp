@@ -1,0 +1,109 @@
+#include "polder/stage/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "polder/points/seed.hpp"
+#include "polder/stage/initial.hpp"
+
+namespace polder {
+
+namespace {
+
+template <class Space>
+Stepper<Space> make_stepper(const Model& model, int threads) {
+  Setup<Space> setup = make_setup<Space>(model);
+  SeededPoints<Space> points = seed_points<Space>(model, setup.lattice);
+  if (model.initial_stress == InitialStress::k0) set_k0_stress(model, setup, points.soil);
+  for (std::size_t p = 0; p < points.soil.size(); ++p) {
+    std::array<double, StressBatch<4>::max_state> state{};
+    const double mean = -(points.soil.stress[0][p] + points.soil.stress[1][p] + points.soil.stress[2][p]) / 3;
+    setup.materials[points.soil.material[p]].law->initial_state(mean, points.soil.porosity[p],
+                                                                std::span(state).subspan(1));
+    for (std::size_t s = 1; s < state.size(); ++s) points.soil.state[s][p] = state[s];
+  }
+  return Stepper<Space>(std::move(setup), std::move(points.soil), std::move(points.water), threads);
+}
+
+}  // namespace
+
+template <class Space>
+Simulation<Space>::Simulation(const Model& model, int threads)
+    : model_(model), stepper_(make_stepper<Space>(model, threads)), audit_(model, stepper_) {
+  for (const Stage& stage : model_.stages)
+    (stage.initial ? time_ : end_time_) += stage.initial ? -stage.duration : stage.duration;
+}
+
+template <class Space>
+StepReport Simulation<Space>::advance() {
+  const Stage& stage = model_.stages[stage_];
+  StepControl control;
+  control.damping = stage.damping;
+  control.hold_water = stage.hold_water;
+  if (stage.ramp > 0) control.gravity_factor = std::min(1.0, time_in_stage_ / stage.ramp);
+
+  double dt = stepper_.natural_step();
+  const double left = stage.duration - time_in_stage_;
+  const bool last = dt >= left * (1 - 1e-9);
+  if (last) dt = left;
+  if (!(dt > 0) || (!last && dt < 1e-9 * std::min(stage.duration, 1.0)))
+    throw RunFailure(fmt::format("the time step collapsed to {:.3g} s at t = {:.6g} s (fastest point: {:.3g} cells/s)",
+                                 dt, time_, stepper_.motion.speed));
+  const StepReport report = stepper_.advance(control, dt);
+  time_in_stage_ += dt;
+  time_ += dt;
+  audit_.take(stepper_, dt);
+  audit_.pressure_iterations += static_cast<std::uint64_t>(report.pressure.iterations);
+  audit_.volume_iterations += static_cast<std::uint64_t>(report.volume.iterations);
+  check(report);
+  if (last) end_stage();
+  return report;
+}
+
+template <class Space>
+void Simulation<Space>::check(const StepReport& report) const {
+  if (std::isfinite(stepper_.motion.speed) && std::isfinite(report.pressure.residual)) {
+    if (report.pressure.converged) return;
+    throw RunFailure(fmt::format(
+        "the pressure solve did not converge at t = {:.6g} s (step {}): residual {:.2e} after {} iterations", time_,
+        stepper_.step, report.pressure.residual, report.pressure.iterations));
+  }
+  const auto place = [&](const auto& points, const char* phase) {
+    for (std::size_t p = 0; p < points.size(); ++p)
+      for (int a = 0; a < Space::axes; ++a)
+        if (!std::isfinite(points.velocity[a][p]))
+          return fmt::format("; first at {} point {} near ({:.4g}, {:.4g})", phase, points.id[p], points.position[0][p],
+                             points.position[1][p]);
+    return std::string{};
+  };
+  throw RunFailure(fmt::format("a value is no longer finite at t = {:.6g} s (step {}){}{}", time_, stepper_.step,
+                               place(stepper_.soil, "soil"), place(stepper_.water, "water")));
+}
+
+template <class Space>
+void Simulation<Space>::end_stage() {
+  const bool was_initial = model_.stages[stage_].initial;
+  ++stage_;
+  time_in_stage_ = 0;
+  if (!was_initial || (!finished() && model_.stages[stage_].initial)) return;
+  auto& soil = stepper_.soil;
+  for (auto& v : soil.velocity) std::fill(v.begin(), v.end(), 0.0);
+  std::fill(soil.deviatoric_strain.begin(), soil.deviatoric_strain.end(), 0.0);
+  std::fill(soil.state[0].begin(), soil.state[0].end(), 0.0);
+  soil.reference = soil.position;
+  time_ = 0;
+  audit_ = Audit<Space>(model_, stepper_);
+}
+
+template <class Space>
+double Simulation<Space>::pressure_at(const std::array<double, 3>& x) const {
+  const auto cell = cell_of(stepper_.setup.lattice, x);
+  return stepper_.grid.pressure[stepper_.setup.lattice.index(cell[0], cell[1], cell[2])];
+}
+
+template class Simulation<PlaneStrain>;
+template class Simulation<Solid>;
+
+}  // namespace polder

@@ -1,0 +1,61 @@
+#pragma once
+// A run: the stages of a case, one step at a time. Time is 0 where the first stage that is not `initial` begins;
+// initial stages run before it, at negative times.
+#include <string>
+#include <vector>
+
+#include "polder/stage/audit.hpp"
+#include "polder/step/stepper.hpp"
+
+namespace polder {
+
+/// A run that cannot go on: what, where and when.
+struct RunFailure : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+template <class Space>
+class Simulation {
+ public:
+  Simulation(const Model& model, int threads);
+
+  const Model& model() const { return model_; }
+  double time() const { return time_; }  ///< s
+  double end_time() const { return end_time_; }
+  bool finished() const { return stage_ >= model_.stages.size(); }
+  const Stage* stage() const { return finished() ? nullptr : &model_.stages[stage_]; }
+
+  /// One step of the current stage; at its end, the next one begins. Throws RunFailure.
+  StepReport advance();
+
+  /// Water pressure, Pa, at a position: that of its cell, which is 0 where it is dry.
+  double pressure_at(const std::array<double, 3>& x) const;
+
+  /// Everything that the rest of the run depends on, by name: archive(name, value or array).
+  template <class Archive>
+  void each_state(Archive&& archive) {
+    stepper_.each_state(archive);
+    audit_.each_state(archive);
+    archive("stage", stage_);
+    archive("time", time_);
+    archive("time_in_stage", time_in_stage_);
+  }
+  /// After each_state() has restored the values.
+  void restored() { stepper_.restored(); }
+
+  Stepper<Space>& state() { return stepper_; }
+  const Stepper<Space>& state() const { return stepper_; }
+  const Audit<Space>& audit() const { return audit_; }
+
+ private:
+  void end_stage();
+  void check(const StepReport& report) const;
+
+  Model model_;
+  Stepper<Space> stepper_;
+  Audit<Space> audit_;
+  std::uint64_t stage_ = 0;
+  double time_ = 0, end_time_ = 0, time_in_stage_ = 0;
+};
+
+}  // namespace polder
