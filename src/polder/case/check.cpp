@@ -304,7 +304,7 @@ void check_monitors(const Checking& c) {
       {"point", "|pressure|porosity|velocity|displacement|effective-stress|water-velocity|"},
       {"section", "|discharge|pressure|"},
       {"surface", "|water-surface|soil-surface|"},
-      {"integral", "|water-volume|soil-volume|kinetic-energy|"}};
+      {"integral", "|water-volume|soil-volume|kinetic-energy|settlement|"}};
   for (std::size_t i = 0; i < c.model.monitors.size(); ++i) {
     const Monitor& monitor = c.model.monitors[i];
     const Fields& f = c.sections.monitors[i];
@@ -330,7 +330,7 @@ void check_monitors(const Checking& c) {
              fmt::format("has {} point{}", monitor.at.size(), monitor.at.size() == 1 ? "" : "s"),
              "a section is a line of two points");
     if (integral && f.find("region") && c.has_grid()) check_region(c, monitor.region, f, "region");
-    if (const Field* at = f.find("at"); at && c.has_grid())
+    if (const Entry* at = f.find("at"); at && c.has_grid())
       for (const auto& p : at->points) {
         bool inside = true;
         for (std::size_t k = 0; k < p.size(); ++k) {

@@ -93,7 +93,7 @@ bool read_numbers(const Reading& r, const Value& value, const Quantity& quantity
   return good;
 }
 
-bool read_points(const Reading& r, const Value& value, std::size_t least, std::size_t most, bool solid, Field& field) {
+bool read_points(const Reading& r, const Value& value, std::size_t least, std::size_t most, bool solid, Entry& field) {
   const Quantity& length = *find_quantity("length");
   if (value.kind != Value::Kind::list) {
     r.fail(value, fmt::format("is {}; a list of points is needed", name_of(value.kind)));
@@ -146,7 +146,7 @@ bool check_increasing(const Reading& r, const Value& value, const Table& table) 
 
 /// Two columns, time in s and value in m, separated by commas, semicolons or blanks; lines that start with a letter or
 /// '#' are headings.
-bool read_csv(const Reading& r, const Value& value, Field& field) {
+bool read_csv(const Reading& r, const Value& value, Entry& field) {
   const auto path = std::filesystem::path(value.place.file).parent_path() / value.text;
   std::ifstream file(path);
   if (!file || !std::filesystem::is_regular_file(path)) {
@@ -182,7 +182,7 @@ bool read_csv(const Reading& r, const Value& value, Field& field) {
   return !field.table.x.empty() && check_increasing(r, value, field.table);
 }
 
-bool read_table(const Reading& r, const Value& value, const Quantity& quantity, Field& field) {
+bool read_table(const Reading& r, const Value& value, const Quantity& quantity, Entry& field) {
   if (value.kind == Value::Kind::text && value.text.ends_with(".csv")) {
     if (!read_csv(r, value, field)) return false;
     return std::all_of(field.table.y.begin(), field.table.y.end(),
@@ -210,7 +210,7 @@ bool read_table(const Reading& r, const Value& value, const Quantity& quantity, 
   return good && check_increasing(r, value, field.table);
 }
 
-bool read_choice(const Reading& r, const Value& value, const std::vector<std::string>& words, Field& field) {
+bool read_choice(const Reading& r, const Value& value, const std::vector<std::string>& words, Entry& field) {
   if (value.kind != Value::Kind::text) {
     r.fail(value, fmt::format("is {}; a word is needed", name_of(value.kind)));
     return false;
@@ -231,7 +231,7 @@ bool is_name(std::string_view text) {
          text.back() != ' ' && !std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-bool read_text(const Reading& r, const Value& value, Field& field) {
+bool read_text(const Reading& r, const Value& value, Entry& field) {
   if (value.kind != Value::Kind::text) {
     r.fail(value, fmt::format("is {}; a text is needed", name_of(value.kind)));
     return false;
@@ -243,7 +243,7 @@ bool read_text(const Reading& r, const Value& value, Field& field) {
   return false;
 }
 
-bool read_count(const Reading& r, const Value& value, Field& field) {
+bool read_count(const Reading& r, const Value& value, Entry& field) {
   if (value.kind != Value::Kind::integer) {
     r.fail(value, value.kind == Value::Kind::number
                       ? fmt::format("{} is not a whole number", quoted(value))
@@ -254,7 +254,7 @@ bool read_count(const Reading& r, const Value& value, Field& field) {
   return in_range(r, value, value.number).has_value();
 }
 
-bool read_field(const Reading& r, const Value& value, Field& field) {
+bool read_field(const Reading& r, const Value& value, Entry& field) {
   constexpr std::size_t many = static_cast<std::size_t>(-1);
   const std::string& kind = r.key.quantity;
   field.place = value.place;
@@ -314,28 +314,28 @@ std::string remedy_for_unknown(const std::string& name, const std::vector<const 
 
 }  // namespace
 
-const Field* Fields::find(std::string_view name) const {
+const Entry* Fields::find(std::string_view name) const {
   const auto found = valid.find(name);
   return found == valid.end() ? nullptr : &found->second;
 }
 
 double Fields::number(std::string_view name, double otherwise) const {
-  const Field* field = find(name);
+  const Entry* field = find(name);
   return field ? field->number : otherwise;
 }
 
 bool Fields::flag(std::string_view name) const {
-  const Field* field = find(name);
+  const Entry* field = find(name);
   return field && field->flag;
 }
 
 std::string Fields::text(std::string_view name) const {
-  const Field* field = find(name);
+  const Entry* field = find(name);
   return field ? field->text : std::string();
 }
 
 Place Fields::place_of(std::string_view name) const {
-  const Field* field = find(name);
+  const Entry* field = find(name);
   return field ? field->place : place;
 }
 
@@ -351,7 +351,7 @@ Fields read_fields(const Value& table, const std::vector<const Key*>& keys, std:
       continue;
     }
     fields.given.insert(member.name);
-    Field field;
+    Entry field;
     if (read_field({**key, whole, diagnostics}, member.value, field))
       fields.valid.emplace(member.name, std::move(field));
   }
@@ -361,13 +361,13 @@ Fields read_fields(const Value& table, const std::vector<const Key*>& keys, std:
     if (key->required) {
       report(diagnostics, table.place, whole, "missing", "write " + expected(*key));
     } else if (key->preset) {
-      Field field;
+      Entry field;
       field.place = table.place;
       field.number = *key->preset;
       if (const auto words = choices_of(key->quantity); !words.empty()) field.text = key->standard;
       fields.valid.emplace(key->name, std::move(field));
     } else if (!key->standard.empty()) {
-      Field field;
+      Entry field;
       const Value value = standard_value(*key, table.place);
       if (read_field({*key, whole, diagnostics}, value, field)) fields.valid.emplace(key->name, std::move(field));
     }

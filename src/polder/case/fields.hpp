@@ -14,7 +14,7 @@
 
 namespace polder {
 
-struct Field {
+struct Entry {
   double number = 0;  ///< of a physical quantity, SI; of a count; of a choice: its number in the list
   bool flag = false;
   std::string text;                         ///< of a text, a name, a choice
@@ -27,10 +27,10 @@ struct Field {
 struct Fields {
   std::string path;  ///< "model", "material.sand": what messages call the section
   Place place;
-  std::map<std::string, Field, std::less<>> valid;  ///< read or by default
+  std::map<std::string, Entry, std::less<>> valid;  ///< read or by default
   std::set<std::string, std::less<>> given;         ///< written in the file, rightly or wrongly
 
-  const Field* find(std::string_view name) const;
+  const Entry* find(std::string_view name) const;
   bool is_given(std::string_view name) const { return given.contains(name); }
   /// The value; of an absent one `otherwise`.
   double number(std::string_view name, double otherwise = 0) const;

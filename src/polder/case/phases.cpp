@@ -49,7 +49,7 @@ void require_agreement(const Fields& fields, std::string_view key, double given,
 void settle_phases(const Fields& fields, const WaterProperties& water, MaterialInput& material,
                    Diagnostics& diagnostics) {
   const auto value = [&](std::string_view key, double factor = 1) -> std::optional<double> {
-    const Field* field = fields.find(key);
+    const Entry* field = fields.find(key);
     return field ? std::optional(field->number * factor) : std::nullopt;
   };
   if (fields.is_given("porosity") && fields.is_given("void_ratio"))
@@ -114,8 +114,8 @@ void settle_permeability(const Fields& fields, const WaterProperties& water, dou
            "give both, or permeability for the same in all directions");
   material.grain_diameter = fields.number("grain_diameter");
   const double per_area = water.density * gravity / water.viscosity;
-  if (const Field* k = fields.find("permeability")) material.permeability = {k->number, k->number};
-  if (const Field* kappa = fields.find("intrinsic_permeability"))
+  if (const Entry* k = fields.find("permeability")) material.permeability = {k->number, k->number};
+  if (const Entry* kappa = fields.find("intrinsic_permeability"))
     material.permeability = {kappa->number * per_area, kappa->number * per_area};
   if (h && v)
     material.permeability = {fields.number("horizontal_permeability"), fields.number("vertical_permeability")};

@@ -13,7 +13,7 @@ namespace {
 
 Point2 point2(const std::vector<double>& p) { return {p.front(), p.back()}; }
 
-std::vector<Point2> points2(const Field* field) {
+std::vector<Point2> points2(const Entry* field) {
   std::vector<Point2> points;
   if (field)
     for (const auto& p : field->points) points.push_back(point2(p));
@@ -21,7 +21,7 @@ std::vector<Point2> points2(const Field* field) {
 }
 
 /// In plane strain the third coordinate is unused.
-std::vector<Point3> points3(const Field* field) {
+std::vector<Point3> points3(const Entry* field) {
   std::vector<Point3> points;
   if (field)
     for (const auto& p : field->points) points.push_back({p[0], p[1], p.size() > 2 ? p[2] : 0.0});
@@ -35,14 +35,14 @@ void read_model(const Fields& f, Model& model, Diagnostics& diagnostics) {
   model.points_per_axis = static_cast<int>(f.number("points_per_axis", model.points_per_axis));
   const std::size_t axes = model.space == SpaceKind::solid ? 3 : 2;
   const std::string form = axes == 3 ? "[width, depth, height]" : "[width, height]";
-  if (const Field* size = f.find("size")) {
+  if (const Entry* size = f.find("size")) {
     if (size->numbers.size() == axes)
       std::copy(size->numbers.begin(), size->numbers.end(), model.size.begin());
     else
       report(diagnostics, size->place, f.path_of("size"), fmt::format("has {} lengths", size->numbers.size()),
              fmt::format("in this space it is {}", form));
   }
-  if (const Field* cell = f.find("cell")) {
+  if (const Entry* cell = f.find("cell")) {
     if (cell->numbers.size() == 1)
       std::fill_n(model.cell.begin(), axes, cell->numbers.front());
     else if (cell->numbers.size() == axes)
@@ -70,7 +70,7 @@ MaterialInput read_material(const Fields& f, const LawDescription* law, const Mo
   material.ergun_b = f.number("ergun_b", material.ergun_b);
   material.fixed = f.flag("fixed");
   static constexpr DragLaw drags[] = {DragLaw::ergun, DragLaw::darcy, DragLaw::beetstra, DragLaw::gidaspow};
-  if (const Field* drag = f.find("drag")) material.drag = drags[static_cast<std::size_t>(drag->number)];
+  if (const Entry* drag = f.find("drag")) material.drag = drags[static_cast<std::size_t>(drag->number)];
   settle_phases(f, model.water, material, diagnostics);
   settle_permeability(f, model.water, model.gravity, material, diagnostics);
   return material;
@@ -85,7 +85,7 @@ Region read_region(const Fields& f, const Model& model, Diagnostics& diagnostics
            both ? "keep one of them" : "give a polygon, or a box = [[\"0 m\", \"0 m\"], [\"1 m\", \"1 m\"]]");
   }
   region.polygon = points2(f.find("polygon"));
-  if (const Field* box = f.find("box")) {
+  if (const Entry* box = f.find("box")) {
     const Point2 a = point2(box->points[0]), b = point2(box->points[1]);
     const double x0 = std::min(a[0], b[0]), x1 = std::max(a[0], b[0]), y0 = std::min(a[1], b[1]),
                  y1 = std::max(a[1], b[1]);
@@ -95,7 +95,7 @@ Region read_region(const Fields& f, const Model& model, Diagnostics& diagnostics
       region.across = {from, to};
     }
   }
-  if (const Field* across = f.find("across")) {
+  if (const Entry* across = f.find("across")) {
     if (across->numbers.size() != 2)
       report(diagnostics, across->place, f.path_of("across"), fmt::format("has {} lengths", across->numbers.size()),
              "it is [from, to] along y");
@@ -115,7 +115,7 @@ SoilBody read_soil(const Fields& f, const Model& model, Diagnostics& diagnostics
   SoilBody soil;
   soil.name = f.text("name");
   soil.region = read_region(f, model, diagnostics);
-  const Field* material = f.find("material");
+  const Entry* material = f.find("material");
   if (!material) return soil;
   const auto known = std::find_if(model.materials.begin(), model.materials.end(),
                                   [&](const MaterialInput& m) { return m.name == material->text; });
@@ -140,12 +140,12 @@ Boundary read_boundary(const Fields& f) {
   static constexpr WaterCondition waters[] = {WaterCondition::closed, WaterCondition::open, WaterCondition::reservoir};
   Boundary boundary;
   boundary.name = f.text("name").empty() ? f.text("side") : f.text("name");
-  if (const Field* side = f.find("side")) boundary.side = sides[static_cast<std::size_t>(side->number)];
-  if (const Field* soil = f.find("soil")) boundary.soil = soils[static_cast<std::size_t>(soil->number)];
-  if (const Field* water = f.find("water")) boundary.water = waters[static_cast<std::size_t>(water->number)];
+  if (const Entry* side = f.find("side")) boundary.side = sides[static_cast<std::size_t>(side->number)];
+  if (const Entry* soil = f.find("soil")) boundary.soil = soils[static_cast<std::size_t>(soil->number)];
+  if (const Entry* water = f.find("water")) boundary.water = waters[static_cast<std::size_t>(water->number)];
   boundary.line = points2(f.find("line"));
   boundary.region.polygon = points2(f.find("region"));
-  if (const Field* head = f.find("head")) boundary.head = head->table;
+  if (const Entry* head = f.find("head")) boundary.head = head->table;
   // A reservoir is only about water.
   if (boundary.water == WaterCondition::reservoir && !f.is_given("soil")) boundary.soil = SoilCondition::none;
   return boundary;
@@ -168,7 +168,7 @@ Monitor read_monitor(const Fields& f) {
                                           MonitorKind::integral};
   Monitor monitor;
   monitor.name = f.text("name");
-  if (const Field* kind = f.find("kind")) monitor.kind = kinds[static_cast<std::size_t>(kind->number)];
+  if (const Entry* kind = f.find("kind")) monitor.kind = kinds[static_cast<std::size_t>(kind->number)];
   monitor.quantity = f.text("quantity");
   monitor.at = points3(f.find("at"));
   monitor.region.polygon = points2(f.find("region"));
@@ -179,15 +179,15 @@ Monitor read_monitor(const Fields& f) {
 void read_initial(const Fields& f, Model& model) {
   static constexpr InitialStress states[] = {InitialStress::k0, InitialStress::gravity, InitialStress::none};
   model.water_table = points2(f.find("water_table"));
-  if (const Field* stress = f.find("stress")) model.initial_stress = states[static_cast<std::size_t>(stress->number)];
-  if (const Field* k0 = f.find("k0")) model.k0 = k0->number;
+  if (const Entry* stress = f.find("stress")) model.initial_stress = states[static_cast<std::size_t>(stress->number)];
+  if (const Entry* k0 = f.find("k0")) model.k0 = k0->number;
 }
 
 void read_output(const Fields& f, Output& output) {
   output.history_interval = f.number("history", output.history_interval);
   output.snapshot_interval = f.number("snapshots", output.snapshot_interval);
   output.checkpoint_interval = f.number("checkpoint", output.checkpoint_interval);
-  if (const Field* pictures = f.find("pictures")) output.pictures = pictures->numbers;
+  if (const Entry* pictures = f.find("pictures")) output.pictures = pictures->numbers;
   std::sort(output.pictures.begin(), output.pictures.end());
 }
 

@@ -1,0 +1,260 @@
+#include "polder/result/run.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/spdlog.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "polder/case/model_json.hpp"
+#include "polder/result/atomic_file.hpp"
+#include "polder/result/frame_of.hpp"
+#include "polder/result/history.hpp"
+#include "polder/result/monitors.hpp"
+#include "polder/result/output_error.hpp"
+#include "polder/result/paint.hpp"
+#include "polder/result/picture.hpp"
+#include "polder/result/progress.hpp"
+#include "polder/result/run_folder.hpp"
+#include "polder/result/state_hash.hpp"
+#include "polder/result/vtk.hpp"
+#include "polder/result/vtk_reader.hpp"
+#include "polder/stage/checkpoint.hpp"
+
+namespace polder {
+
+namespace {
+
+constexpr double round_off = 1e-9;
+
+template <class Space>
+class Run {
+ public:
+  Run(const Model& model, const RunOptions& options)
+      : model_(model),
+        options_(options),
+        case_text_(case_json(model).dump()),
+        folder_(options.folder, options.resume, options.force),
+        simulation_(std::make_unique<Simulation<Space>>(model, options.threads)),
+        progress_(options.quiet) {
+    std::sort(model_.output.pictures.begin(), model_.output.pictures.end());
+    begin_ = simulation_->time();
+    end_ = std::min(simulation_->end_time(), options.until.value_or(simulation_->end_time()));
+    if (options.resume) resume();
+    open_log();
+    start_wall_ = output_.wall_seconds;
+    start_step_ = simulation_->state().step;
+  }
+
+  Summary go() {
+    summary_.status = RunStatus::finished;
+    summary_.reason = "the last stage is complete";
+    double last_checkpoint = 0;
+    try {
+      record_due();
+      while (!simulation_->finished()) {
+        if (recording() && simulation_->time() >= end_ * (1 - round_off)) {
+          summary_.reason = fmt::format("t = {:g} s is reached, as asked", end_);
+          break;
+        }
+        if (options_.interrupted && options_.interrupted->load()) {
+          summary_.status = RunStatus::interrupted;
+          summary_.reason = fmt::format("interrupted at t = {:.6g} s; go on with --resume", simulation_->time());
+          break;
+        }
+        const StepReport report = simulation_->advance();
+        output_.last_dt = report.dt;
+        point_steps_ += static_cast<double>(simulation_->state().soil.size() + simulation_->state().water.size());
+        measure();
+        record_due();
+        progress_.show([&] { return progress_state(); });
+        if (progress_.wall_seconds() - last_checkpoint > model_.output.checkpoint_interval) {
+          checkpoint();
+          last_checkpoint = progress_.wall_seconds();
+        }
+      }
+      checkpoint();
+    } catch (const RunFailure& failure) {
+      summary_.status = RunStatus::failed;
+      summary_.reason = failure.what();
+    }
+    progress_.finish();
+    finish();
+    return summary_;
+  }
+
+ private:
+  bool recording() const { return simulation_->finished() || !simulation_->stage()->initial; }
+
+  void resume() {
+    std::string trouble;
+    for (const auto& path : folder_.checkpoints()) {
+      try {
+        output_ = restore_checkpoint(read_file(path), *simulation_, case_text_);
+        resumed_from_ = path.filename().string();
+        break;
+      } catch (const CheckpointError& error) {
+        trouble += fmt::format("\n  {}: {}", path.string(), error.what());
+        simulation_ = std::make_unique<Simulation<Space>>(model_, options_.threads);
+      }
+    }
+    if (resumed_from_.empty())
+      throw FolderError("no checkpoint can be resumed from:" + trouble + "\nStart again with --force.");
+    refused_ = trouble;
+  }
+
+  void open_log() {
+    try {
+      log_ = std::make_shared<spdlog::logger>(
+          "run", std::make_shared<spdlog::sinks::basic_file_sink_mt>((folder_.path() / "log.txt").string(), false));
+    } catch (const spdlog::spdlog_ex& error) {
+      throw OutputError((folder_.path() / "log.txt").string(), error.what());
+    }
+    log_->flush_on(spdlog::level::info);
+    const auto& state = simulation_->state();
+    if (!refused_.empty()) log_->warn("checkpoint refused:{}", refused_);
+    if (options_.resume)
+      log_->info("resumed from {} at t = {:.6g} s, step {}", resumed_from_, simulation_->time(), state.step);
+    log_->info("polder {}, case {} ({})", options_.version, model_.name, model_.title);
+    log_->info("{} cells, {} soil points, {} water points, {} thread(s), soil's step {:.3g} s",
+               state.setup.lattice.cell_count(), state.soil.size(), state.water.size(), state.team.size(),
+               state.setup.soil_step);
+  }
+
+  /// Opens history and monitors at the first moment of the event.
+  void open_results() {
+    monitors_ = std::make_unique<Monitors<Space>>(*simulation_);
+    const auto path = folder_.path() / "history.csv";
+    const bool again = options_.resume && output_.history_rows > 0;
+    if (again)
+      history_ = std::make_unique<HistoryFile>(path, monitors_->columns(), output_.history_rows);
+    else
+      history_ = std::make_unique<HistoryFile>(path, monitors_->columns());
+    // a snapshot of the checkpoint's own instant may be later than the checkpoint by round-off only
+    if (options_.resume) series_ = resume_series(folder_.path(), simulation_->time() * (1 + 1e-12) + 1e-300);
+  }
+
+  void record_due() {
+    if (!recording()) return;
+    if (!monitors_) open_results();
+    const double t = simulation_->time();
+    const auto due = [&](std::uint64_t& number, double interval) {
+      if (t < static_cast<double>(number) * interval * (1 - round_off)) return false;
+      number = static_cast<std::uint64_t>(t / interval * (1 + round_off)) + 1;
+      return true;
+    };
+    if (due(output_.next_history, model_.output.history_interval)) {
+      const auto row = monitors_->sample(*simulation_, output_.last_dt);
+      history_->append(t, row);
+      output_.history_rows = history_->rows();
+    }
+    bool snapshot = due(output_.next_snapshot, model_.output.snapshot_interval);
+    std::optional<double> picture;
+    while (output_.next_picture < model_.output.pictures.size() &&
+           t >= model_.output.pictures[output_.next_picture] * (1 - round_off))
+      picture = model_.output.pictures[output_.next_picture++];
+    if (!snapshot && !picture) return;
+    const Frame frame = frame_of(*simulation_);
+    if (series_.empty()) write_section(folder_.path(), frame);
+    add_snapshot(folder_.path(), series_, frame);
+    if (picture) draw(frame, *picture);
+  }
+
+  void draw(const Frame& frame, double t) const {
+    make_folder(folder_.path() / "pictures");
+    for (const PictureField& field : standard_pictures(frame))
+      write_drawing(folder_.path() / "pictures" / fmt::format("{}_{:g}s.png", field.name, t), draw_frame(frame, field));
+  }
+
+  void checkpoint() {
+    output_.wall_seconds = start_wall_ + progress_.wall_seconds();
+    folder_.write_checkpoint(checkpoint_bytes(*simulation_, output_, case_text_));
+    log_->info("checkpoint at t = {:.6g} s, step {}", simulation_->time(), simulation_->state().step);
+  }
+
+  void measure() {
+    const auto& state = simulation_->state();
+    fastest_ = std::max(fastest_, state.motion.speed * state.setup.lattice.smallest_spacing());
+  }
+
+  ProgressState progress_state() const {
+    const auto& state = simulation_->state();
+    return {simulation_->time(),
+            begin_,
+            end_,
+            state.step,
+            output_.last_dt,
+            point_steps_,
+            simulation_->audit().water_balance_error(state)};
+  }
+
+  void finish() {
+    const auto& state = simulation_->state();
+    const Audit<Space>& audit = simulation_->audit();
+    const double wall = progress_.wall_seconds();
+    const double points = static_cast<double>(state.soil.size() + state.water.size());
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    Summary& s = summary_;
+    s.version = options_.version;
+    s.simulated_time = simulation_->time();
+    s.steps = state.step;
+    s.wall_seconds = start_wall_ + wall;
+    s.threads = state.team.size();
+    s.soil_points = state.soil.size();
+    s.water_points = state.water.size();
+    s.cells = static_cast<std::uint64_t>(state.setup.lattice.cell_count());
+    s.bytes_per_point = 1024.0 * static_cast<double>(usage.ru_maxrss) / std::max(points, 1.0);
+    s.point_steps_per_second = point_steps_ / std::max(wall, 1e-9);
+    const auto steps = static_cast<double>(std::max<std::uint64_t>(audit.steps, 1));
+    s.pressure_iterations_per_step = static_cast<double>(audit.pressure_iterations) / steps;
+    s.state_hash = hash_text(hash_of(*simulation_));
+    s.overfilled_cells = audit.overfilled_most;
+    s.flux_balance_error = audit.flux_balance_error();
+    s.water_balance_error = audit.water_balance_error(state);
+    s.solid_mass_error = audit.solid_mass_error(state);
+    const Energies e = energies(*simulation_);
+    s.energy = {{"soil_kinetic", e.soil_kinetic}, {"water_kinetic", e.water_kinetic}, {"potential", e.potential}};
+    const auto& p = state.grid.pressure;
+    s.maxima = {{"speed", fastest_},
+                {"pressure_at_end", *std::max_element(p.begin(), p.end())},
+                {"underfilled_cells", audit.underfilled_most}};
+    if (state.soil.size() > 0)
+      s.maxima["porosity_at_end"] = *std::max_element(state.soil.porosity.begin(), state.soil.porosity.end());
+    const StepTimes& t = state.times;
+    s.kernel_seconds = {{"sort", t.sort},         {"points_to_grid", t.to_grid}, {"faces", t.faces},
+                        {"pressure", t.pressure}, {"volume", t.volume},          {"grid_to_points", t.to_points},
+                        {"resample", t.resample}};
+    s.case_inputs = case_json(model_);
+    write_summary(folder_.path() / "summary.json", s);
+    log_->info("{}; {} steps in {:.1f} s", s.reason, state.step - start_step_, wall);
+  }
+
+  Model model_;
+  RunOptions options_;
+  std::string case_text_;
+  RunFolder folder_;
+  std::unique_ptr<Simulation<Space>> simulation_;
+  Progress progress_;
+  std::shared_ptr<spdlog::logger> log_;
+  std::unique_ptr<Monitors<Space>> monitors_;
+  std::unique_ptr<HistoryFile> history_;
+  VtkSeries series_;
+  OutputState output_;
+  Summary summary_;
+  std::string resumed_from_, refused_;
+  double begin_ = 0, end_ = 0, point_steps_ = 0, fastest_ = 0, start_wall_ = 0;
+  std::uint64_t start_step_ = 0;
+};
+
+}  // namespace
+
+Summary run_case(const Model& model, const RunOptions& options) {
+  if (model.space == SpaceKind::solid) return Run<Solid>(model, options).go();
+  return Run<PlaneStrain>(model, options).go();
+}
+
+}  // namespace polder
