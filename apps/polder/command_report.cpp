@@ -58,8 +58,8 @@ int report(const Options& options) {
     if (options.figures) draw_figures(options.folder);
     if (options.watch) watch(options.folder);
     write_report(options.folder);
-  } catch (const OutputError& error) {
-    throw Failure(status_not_written, error.what());
+  } catch (const OutputError&) {
+    throw;
   } catch (const Failure&) {
     throw;
   } catch (const std::runtime_error& error) {

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "polder/case/diagnostic.hpp"
+#include "polder/result/output_error.hpp"
 
 namespace {
 
@@ -55,6 +56,8 @@ int main(int argc, char** argv) {
     return start(argc, argv);
   } catch (const Failure& failure) {
     return report(failure.status, failure.what());
+  } catch (const polder::OutputError& error) {
+    return report(status_not_written, error.what());
   } catch (const std::filesystem::filesystem_error& error) {
     return report(status_not_written, error.what());
   } catch (const std::exception& error) {
