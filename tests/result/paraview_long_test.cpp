@@ -39,7 +39,7 @@ void expect_part(std::istream& found, const char* part, const PointSet& points) 
   found >> name >> components >> sum;
   EXPECT_EQ(name, "volume");
   EXPECT_NEAR(sum, std::accumulate(points.volume.begin(), points.volume.end(), 0.0), 1e-12);
-  for (const Field& field : points.fields) {
+  for (const PointField& field : points.fields) {
     found >> name >> components >> sum;
     EXPECT_EQ(name, field.info.name);
     EXPECT_EQ(components, field.components == 2 ? 3 : field.components == 4 ? 6 : field.components);

@@ -44,7 +44,7 @@ void check_points(const PointSet& points, const char* phase) {
   };
   check("id", points.id.size(), 1);
   check("volume", points.volume.size(), 1);
-  for (const Field& field : points.fields)
+  for (const PointField& field : points.fields)
     check(field.info.name, field.values.size(), static_cast<std::size_t>(field.components));
 }
 
@@ -59,17 +59,17 @@ FieldInfo field_info(std::string_view name) {
   return {std::string(name), label, "", ""};
 }
 
-Field make_field(std::string_view name, std::vector<double> values, int components) {
+PointField make_field(std::string_view name, std::vector<double> values, int components) {
   return {field_info(name), components, std::move(values)};
 }
 
-const Field* PointSet::find(std::string_view name) const {
-  for (const Field& field : fields)
+const PointField* PointSet::find(std::string_view name) const {
+  for (const PointField& field : fields)
     if (field.info.name == name) return &field;
   return nullptr;
 }
 
-std::vector<double> magnitudes(const Field& field) {
+std::vector<double> magnitudes(const PointField& field) {
   if (field.components == 1) return field.values;
   if (field.components > 3) throw std::invalid_argument("field '" + field.info.name + "' is a tensor");
   const std::size_t axes = static_cast<std::size_t>(field.components);

@@ -25,23 +25,23 @@ FieldInfo field_info(std::string_view name);
 
 /// Values of one quantity at all points of a set, `components` per point, side by side:
 /// 1 scalar; 2 or 3 vector; 4 plane-strain tensor (xx, yy, zz, xy); 6 tensor (xx, yy, zz, xy, yz, zx).
-struct Field {
+struct PointField {
   FieldInfo info;
   int components = 1;
   std::vector<double> values;
 };
 
-Field make_field(std::string_view name, std::vector<double> values, int components = 1);
+PointField make_field(std::string_view name, std::vector<double> values, int components = 1);
 
 struct PointSet {
   std::vector<std::uint64_t> id;
   std::vector<Point3> position;  ///< m; in plane strain the third is 0
   std::vector<double> volume;    ///< m³ (m² per metre in plane strain): of the mixture for soil, of water for water
-  std::vector<Field> fields;
+  std::vector<PointField> fields;
 
   std::size_t size() const { return position.size(); }
   /// Null where there is no field of this name.
-  const Field* find(std::string_view name) const;
+  const PointField* find(std::string_view name) const;
 };
 
 struct Frame {
@@ -58,7 +58,7 @@ struct Frame {
 
 /// Magnitude of each point's value: |v| of a vector, the value itself of a scalar. Throws std::invalid_argument for
 /// tensors, which have no single magnitude.
-std::vector<double> magnitudes(const Field& field);
+std::vector<double> magnitudes(const PointField& field);
 
 /// Throws std::logic_error naming the field whose length does not fit the number of points.
 void check_frame(const Frame& frame);

@@ -55,7 +55,7 @@ ColourBar bar_for(std::span<const Frame> frames, const PictureField& field) {
   ColourBar bar;
   bool found = false;
   const auto collect = [&](const PointSet& points, const std::string& name) {
-    const Field* present = points.find(name);
+    const PointField* present = points.find(name);
     if (!present) return;
     found = true;
     bar.unit = present->info.unit;
@@ -87,7 +87,7 @@ ColourBar bar_for(std::span<const Frame> frames, const PictureField& field) {
 
 Squares squares_of(const Frame& frame, const PointSet& points, const std::string& name, const ColourBar& bar,
                    const Colour& plain, double overlap, const Panel& panel) {
-  const Field* field = points.find(name);
+  const PointField* field = points.find(name);
   const std::vector<double> values = field ? magnitudes(*field) : std::vector<double>{};
   Squares squares;
   for (std::size_t p = 0; p < points.size(); ++p) {
@@ -127,7 +127,7 @@ void draw_contents(Drawing& drawing, const Panel& panel, const Frame& frame, con
 }
 
 const FieldInfo& info_of(const Frame& frame, const PictureField& field) {
-  const Field* present = frame.soil.find(field.name);
+  const PointField* present = frame.soil.find(field.name);
   if (!present) present = frame.water.find(field.water);
   if (!present) throw std::invalid_argument("picture: there is no field '" + field.name + "'");
   return present->info;

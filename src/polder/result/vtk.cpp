@@ -49,7 +49,7 @@ void append(AtomicFile& file, std::size_t count, Value&& value_at) {
 }
 
 template <class Real>
-void append_field(AtomicFile& file, const Field& field, std::size_t points) {
+void append_field(AtomicFile& file, const PointField& field, std::size_t points) {
   const std::size_t from = static_cast<std::size_t>(field.components);
   const std::size_t to = static_cast<std::size_t>(padded(field.components));
   append<Real>(file, points * to, [&](std::size_t i) {
@@ -74,7 +74,7 @@ void write_points(const std::filesystem::path& path, const PointSet& points, dou
   header += "</Points>\n<PointData>\n";
   header += appended.describe("id", "Int64", 1, n * sizeof(std::int64_t));
   header += appended.describe("volume", real, 1, n * sizeof(Real));
-  for (const Field& field : points.fields) {
+  for (const PointField& field : points.fields) {
     const int components = padded(field.components);
     header +=
         appended.describe(field.info.name, real, components, n * static_cast<std::size_t>(components) * sizeof(Real));
@@ -89,7 +89,7 @@ void write_points(const std::filesystem::path& path, const PointSet& points, dou
   append<Real>(file, 3 * n, [&](std::size_t i) { return points.position[i / 3][i % 3]; });
   append<std::int64_t>(file, n, [&](std::size_t i) { return points.id[i]; });
   append<Real>(file, n, [&](std::size_t i) { return points.volume[i]; });
-  for (const Field& field : points.fields) append_field<Real>(file, field, n);
+  for (const PointField& field : points.fields) append_field<Real>(file, field, n);
   append<std::int32_t>(file, n, [](std::size_t i) { return i; });
   append<std::int32_t>(file, n, [](std::size_t i) { return i + 1; });
   file.write("\n</AppendedData>\n</VTKFile>\n");
