@@ -47,7 +47,7 @@ PlayerField described(const FieldInfo& info, const std::vector<std::string>& mat
   return field;
 }
 
-void add_tensor(std::vector<PlayerColumn>& columns, const Field& field, int up) {
+void add_tensor(std::vector<PlayerColumn>& columns, const PointField& field, int up) {
   if (field.info.name != "effective_stress") return;
   using Take = PlayerColumn::Take;
   columns.push_back({described(field_info("mean_effective_stress"), {}), field.info.name, Take::mean_pressure});
@@ -55,7 +55,7 @@ void add_tensor(std::vector<PlayerColumn>& columns, const Field& field, int up) 
   columns.push_back({described(field_info("vertical_effective_stress"), {}), field.info.name, Take::component, up});
 }
 
-void add_vector(std::vector<PlayerColumn>& columns, const Field& field, int up) {
+void add_vector(std::vector<PlayerColumn>& columns, const PointField& field, int up) {
   using Take = PlayerColumn::Take;
   if (field.info.name != "velocity") {
     columns.push_back({described(field.info, {}), field.info.name, Take::magnitude});
@@ -104,11 +104,11 @@ std::vector<PlayerColumn> player_columns(const PointSet& points, int up,
   columns.push_back({{"x", "x", "x", "m", "", FieldScale::sequential, false}, "", Take::component, 0});
   columns.push_back({{"y", "y", "y", "m", "", FieldScale::sequential, false}, "", Take::component, up});
 
-  std::vector<const Field*> ordered;
-  for (const Field& field : points.fields) ordered.push_back(&field);
+  std::vector<const PointField*> ordered;
+  for (const PointField& field : points.fields) ordered.push_back(&field);
   std::stable_sort(ordered.begin(), ordered.end(),
-                   [](const Field* a, const Field* b) { return rank(a->info.name) < rank(b->info.name); });
-  for (const Field* field : ordered) {
+                   [](const PointField* a, const PointField* b) { return rank(a->info.name) < rank(b->info.name); });
+  for (const PointField* field : ordered) {
     if (field->components == 1)
       columns.push_back({described(field->info, material_names), field->info.name, Take::value});
     else if (field->components <= 3)
@@ -126,7 +126,7 @@ void append_values(const PlayerColumn& column, const PointSet& points, const std
       values.push_back(static_cast<float>(points.position[p][static_cast<std::size_t>(column.component)]));
     return;
   }
-  const Field* field = points.find(column.source);
+  const PointField* field = points.find(column.source);
   for (const std::size_t p : chosen)
     values.push_back(
         field ? static_cast<float>(

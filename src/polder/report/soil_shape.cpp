@@ -36,7 +36,7 @@ SoilShape soil_shape(const PointSet& soil, int up) {
   shape.crest = end_along(static_cast<std::size_t>(up), 1);
   shape.right = end_along(0, 1);
   shape.left = end_along(0, -1);
-  if (const Field* displacement = soil.find("displacement")) {
+  if (const PointField* displacement = soil.find("displacement")) {
     std::vector<std::pair<double, double>> lengths(soil.size());
     const std::vector<double> size = magnitudes(*displacement);
     for (std::size_t p = 0; p < soil.size(); ++p) lengths[p] = {size[p], soil.volume[p]};
