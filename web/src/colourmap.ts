@@ -32,10 +32,10 @@ const stops: Record<MapName, Stop[]> = {
   // Umber to sand: porosity.
   dune: [
     { l: 0.3, c: 0.05, h: 50 },
-    { l: 0.5, c: 0.08, h: 65 },
-    { l: 0.7, c: 0.09, h: 80 },
-    { l: 0.84, c: 0.09, h: 130 },
-    { l: 0.95, c: 0.06, h: 190 },
+    { l: 0.46, c: 0.08, h: 62 },
+    { l: 0.62, c: 0.09, h: 78 },
+    { l: 0.78, c: 0.09, h: 125 },
+    { l: 0.94, c: 0.06, h: 190 },
   ],
   // Blue through near-white to red: fields whose zero is special.
   balance: [

@@ -1,7 +1,7 @@
 // Curves of history.csv over time, tied to the player's clock: a line shows its time, a click sets it.
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
-import { cssColour, h } from "./dom";
+import { cssColour, h, set } from "./dom";
 import type { Page } from "./page";
 import type { Player } from "./player";
 import { displayUnit, formatNumber, formatQuantity } from "./units";
@@ -122,7 +122,7 @@ function makeChart(group: Group, times: number[], player: Player, timeUnit: { fa
     while (k + 1 < times.length && times[k + 1] <= time + 1e-9) ++k;
     group.curves.forEach((curve, c) => {
       const v = curve.values[k];
-      readings[c].textContent = v === null || v === undefined ? "–" : formatQuantity(v, group.unit, 3);
+      readings[c].replaceChildren(set(v === null || v === undefined ? "–" : formatQuantity(v, group.unit, 3)));
     });
   }
   let width = 0;

@@ -3,6 +3,35 @@
 type Attributes = Record<string, string | number | boolean | EventListener | undefined>;
 type Child = Node | string | null | undefined | false;
 
+const raised = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/** Text with powers of ten set as superscripts: "10⁻⁶" in few fonts looks like one number. */
+export function set(text: string): Node {
+  const parts = document.createDocumentFragment();
+  for (const part of text.split(/([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]*[⁻⁰⁴-⁹][⁻⁰¹²³⁴⁵⁶⁷⁸⁹]*)/)) {
+    if (!part) continue;
+    if (!/[⁻⁰⁴-⁹]/.test(part)) {
+      parts.append(part);
+      continue;
+    }
+    const sup = document.createElement("sup");
+    sup.textContent = [...part].map((c) => (c === "⁻" ? "−" : raised.indexOf(c))).join("");
+    parts.append(sup);
+  }
+  return parts;
+}
+
+/** A symbol of the theory: "n_max" with its index set low. */
+export function symbol(text: string): Node {
+  const cut = text.indexOf("_");
+  if (cut < 0) return document.createTextNode(text);
+  const parts = document.createDocumentFragment();
+  const sub = document.createElement("sub");
+  sub.textContent = text.slice(cut + 1);
+  parts.append(text.slice(0, cut), sub);
+  return parts;
+}
+
 /** h("p", { class: "note", onclick: f }, "text", child) */
 export function h<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Attributes = {}, ...children: Child[]): HTMLElementTagNameMap[K] {
   const element = document.createElement(tag);
@@ -11,7 +40,7 @@ export function h<K extends keyof HTMLElementTagNameMap>(tag: K, attributes: Att
     if (typeof value === "function") element.addEventListener(key.slice(2), value);
     else element.setAttribute(key, value === true ? "" : String(value));
   }
-  for (const child of children) if (child) element.append(child);
+  for (const child of children) if (child) element.append(typeof child === "string" ? set(child) : child);
   return element;
 }
 

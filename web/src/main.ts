@@ -1,7 +1,7 @@
 // Puts the report together in the browser.
 import "./style.css";
 import { makeCurves } from "./curves";
-import { cssColour, h, iconButton } from "./dom";
+import { h, iconButton } from "./dom";
 import { readPage, type Page } from "./page";
 import { makePlayer, type Player } from "./player";
 import { openSeries } from "./series";
@@ -94,8 +94,8 @@ async function start() {
     });
     remember(page, player);
     window.addEventListener("beforeprint", restyle);
-    // Tests and the curious: what is drawn, by what, and when.
-    Object.assign(window, { polder: { page, player, series, background: () => cssColour("--panel") } });
+    // For tests and the curious.
+    Object.assign(window, { polder: { page, player, series } });
   }
   root.append(...makeTables(page, (t) => t.id === "comparison"), ...makeFigures(page), ...makeTables(page, (t) => t.id !== "comparison"), ...[makeInputs(page)].filter((e): e is HTMLElement => e !== null), makeFooter(page), help);
   document.documentElement.dataset.ready = "yes";

@@ -51,12 +51,13 @@ function axes(pen: CanvasRenderingContext2D, { camera, page }: OverlayInput) {
   pen.textBaseline = "top";
   pen.textAlign = "center";
   const across = ticks(x0, x1, width / 80);
+  const labelled = across.filter((x) => toScreen(camera, x, 0)[0] < left + width - 8);
   for (const x of across) {
     const px = Math.round(toScreen(camera, x, 0)[0]) + 0.5;
     pen.moveTo(px, top + height);
     pen.lineTo(px, top + height + 4);
-    const text = formatNumber(x, 6) + (x === across[across.length - 1] ? "\u202fm" : "");
-    if (px < left + width - 8) pen.fillText(text, px, top + height + 7);
+    if (!labelled.includes(x)) continue;
+    pen.fillText(formatNumber(x, 6) + (x === labelled[labelled.length - 1] ? "\u202fm" : ""), px, top + height + 7);
   }
   pen.textBaseline = "middle";
   pen.textAlign = "right";

@@ -1,5 +1,5 @@
 // The player: the moving picture, its controls, and what the pointer reads.
-import { cssColour, h, iconButton, setIcon } from "./dom";
+import { cssColour, h, iconButton, setIcon, symbol } from "./dom";
 import { type Clock, makeClock } from "./clock";
 import { type Legend, makeLegend } from "./legend";
 import { drawOverlay, type Shown } from "./overlay";
@@ -18,6 +18,9 @@ export interface Player {
   /** Calls `f` whenever the time has changed. */
   onTime: (f: () => void) => void;
   timeText: () => string;
+  painter: () => string;
+  /** Where a point of the section is on the stage, CSS pixels. */
+  screenOf: (x: number, y: number) => { x: number; y: number };
   /** For keys: true where the key was used. */
   key: (event: KeyboardEvent) => boolean;
 }
@@ -68,6 +71,7 @@ export function makePlayer(page: Page, all: Series[]): Player {
   let found: Found | null = null;
   let scheduled = false;
   let recording: Recording | null = null;
+  let shownPlaying = false;
 
   const stage = makeStage({ size: page.size, redraw: () => redraw(), point: (at) => point(at), home: () => homeBox(page, soil) });
   const pen = stage.overlay.getContext("2d")!;
@@ -84,7 +88,11 @@ export function makePlayer(page: Page, all: Series[]): Player {
   const clock = makeClock(times, () => {
     scrubber.value = String(clock.place);
     scrubber.setAttribute("aria-valuetext", timeText());
-    setIcon(playButton, clock.playing ? "pause" : "play", clock.playing ? "Pause (space)" : "Play (space)");
+    // Only on a change: an icon that is replaced under the pointer swallows its click.
+    if (clock.playing !== shownPlaying) {
+      shownPlaying = clock.playing;
+      setIcon(playButton, clock.playing ? "pause" : "play", clock.playing ? "Pause (space)" : "Play (space)");
+    }
     for (const l of legends) l.follow(clock.frame);
     for (const f of listeners) f();
     if (!clock.playing && recording) stopRecording();
@@ -156,7 +164,7 @@ export function makePlayer(page: Page, all: Series[]): Player {
     const rows = fields.map((f) => {
       const v = f.values[hit.entry];
       const text = f.scale === "category" ? f.categories[v] ?? String(v) : Number.isNaN(v) ? "–" : formatQuantity(v, f.unit, 4);
-      return h("tr", {}, h("th", { scope: "row" }, f.label), h("td", { class: "symbol" }, f.symbol), h("td", {}, text));
+      return h("tr", {}, h("th", { scope: "row" }, f.label), h("td", { class: "symbol" }, symbol(f.symbol)), h("td", {}, text));
     });
     const { series, entry } = hit;
     const head = `${series.name === "soil" ? "Soil" : "Water"} point ${series.ids[series.track[entry]]}`;
@@ -319,5 +327,18 @@ export function makePlayer(page: Page, all: Series[]): Player {
   }
 
   for (const l of legends) void l.choose(l.key());
-  return { element, clock, legends, redraw, onTime: (f) => listeners.push(f), timeText, key };
+  return {
+    element,
+    clock,
+    legends,
+    redraw,
+    onTime: (f) => listeners.push(f),
+    timeText,
+    painter: () => stage.painter().kind,
+    screenOf(x, y) {
+      const [px, py] = toScreen(stage.camera, x, y);
+      return { x: px, y: py };
+    },
+    key,
+  };
 }

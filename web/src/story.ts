@@ -1,5 +1,5 @@
 // The words and tables around the player.
-import { h } from "./dom";
+import { h, symbol } from "./dom";
 import type { Fact, Page, Table } from "./page";
 import { formatNumber } from "./units";
 
@@ -37,21 +37,29 @@ function table(t: Table): HTMLElement {
       ...row.map((cell, k) =>
         k === 0
           ? h("th", { scope: "row", title: cell.title }, cell.text)
-          : h("td", { class: [cls(k) ?? "", cell.state ?? ""].join(" ").trim() || undefined, title: cell.title }, cell.text),
+          : h(
+              "td",
+              { class: [cls(k) ?? "", cell.state ?? ""].join(" ").trim() || undefined, title: cell.title },
+              t.columns[k] === "Symbol" ? symbol(cell.text) : cell.text,
+            ),
       ),
     ),
   );
   return h(
     "section",
-    { class: "block", id: t.id },
+    { class: t.columns.length === 2 ? "block small" : "block", id: t.id },
     h("h2", {}, t.title),
     t.note ? h("p", { class: "lead" }, t.note) : null,
     h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": t.title }, h("table", {}, h("thead", {}, head), h("tbody", {}, ...rows))),
   );
 }
 
+/** Tables of two columns stand side by side, after the others. */
 export function makeTables(page: Page, which: (t: Table) => boolean): HTMLElement[] {
-  return page.tables.filter((t) => t.rows.length > 0 && which(t)).map(table);
+  const shown = page.tables.filter((t) => t.rows.length > 0 && which(t));
+  const small = shown.filter((t) => t.columns.length === 2).map(table);
+  const wide = shown.filter((t) => t.columns.length !== 2).map(table);
+  return small.length ? [...wide, h("div", { class: "side-by-side" }, ...small)] : wide;
 }
 
 export function makeFigures(page: Page): HTMLElement[] {
@@ -113,5 +121,5 @@ export function makeHelp(): HTMLDialogElement {
 }
 
 export function makeFooter(page: Page): HTMLElement {
-  return h("footer", {}, h("p", {}, `Polder ${page.version}. Between snapshots the player moves points along straight lines; when it stands still it shows a snapshot as computed.`));
+  return h("footer", {}, h("p", {}, `Polder${page.version && " "}${page.version}. Between snapshots the player moves points along straight lines; when it stands still it shows a snapshot as computed.`));
 }

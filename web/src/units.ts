@@ -51,7 +51,8 @@ export function formatQuantity(value: number, unit: string, digits = 3): string 
 export function formatTime(seconds: number, step: number, end: number): string {
   const [factor, unit] = end >= 3 * 3600 ? [1 / 3600, "h"] : end >= 300 ? [1 / 60, "min"] : [1, "s"];
   const decimals = Math.min(4, Math.max(0, Math.ceil(-Math.log10(Math.max(1e-6, step * factor)) - 1e-9)));
-  const exact = Math.abs(step * factor * 10 ** decimals - Math.round(step * factor * 10 ** decimals)) > 1e-6 ? decimals + 1 : decimals;
+  const whole = (d: number) => Math.abs(step * factor * 10 ** d - Math.round(step * factor * 10 ** d)) < 1e-6;
+  const exact = !whole(decimals) && whole(decimals + 1) ? decimals + 1 : decimals;
   return `${minus((seconds * factor).toFixed(exact))}\u202f${unit}`;
 }
 
