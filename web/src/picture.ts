@@ -96,18 +96,44 @@ export function animationType(): string | null {
 }
 
 export interface Recording {
+  /** Resolves when the encoder is at work; what is drawn before that is lost. */
+  ready: Promise<void>;
   /** To be called after every drawn moment. */
   add: () => void;
   stop: () => void;
 }
 
+/** An encoder that has given more than its header is at work. */
+const headerSize = 1000;
+/** Milliseconds after which an encoder that gives nothing is no longer waited for. */
+const patience = 15_000;
+
 export function record(picture: Picture, type: string, name: string): Recording {
   const canvas = document.createElement("canvas");
   compose(canvas, picture);
-  const recorder = new MediaRecorder(canvas.captureStream(30), { mimeType: type, videoBitsPerSecond: 8_000_000 });
+  // Frames are handed over one by one where the browser allows it, so that none is missed on a slow machine.
+  const oneByOne = "CanvasCaptureMediaStreamTrack" in window;
+  const stream = canvas.captureStream(oneByOne ? 0 : 30);
+  const track = stream.getVideoTracks()[0] as CanvasCaptureMediaStreamTrack;
+  const recorder = new MediaRecorder(stream, { mimeType: type, videoBitsPerSecond: 8_000_000 });
   const parts: Blob[] = [];
-  recorder.ondataavailable = (event) => parts.push(event.data);
+  let size = 0;
+  let begun = () => {};
+  recorder.ondataavailable = (event) => {
+    parts.push(event.data);
+    size += event.data.size;
+    if (size > headerSize) begun();
+  };
   recorder.onstop = () => save(new Blob(parts, { type }), `${name}.${type.startsWith("video/mp4") ? "mp4" : "webm"}`);
-  recorder.start();
-  return { add: () => compose(canvas, picture), stop: () => recorder.stop() };
+  const add = () => {
+    compose(canvas, picture);
+    if (oneByOne) track.requestFrame();
+  };
+  recorder.start(200);
+  const feed = setInterval(add, 100);
+  const ready = new Promise<void>((done) => {
+    begun = done;
+    setTimeout(done, patience);
+  }).finally(() => clearInterval(feed));
+  return { ready, add, stop: () => recorder.stop() };
 }

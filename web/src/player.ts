@@ -72,6 +72,7 @@ export function makePlayer(page: Page, all: Series[]): Player {
   let scheduled = false;
   let recording: Recording | null = null;
   let shownPlaying = false;
+  let wasPlaying = false;
 
   const stage = makeStage({ size: page.size, redraw: () => redraw(), point: (at) => point(at), home: () => homeBox(page, soil) });
   const pen = stage.overlay.getContext("2d")!;
@@ -95,7 +96,8 @@ export function makePlayer(page: Page, all: Series[]): Player {
     }
     for (const l of legends) l.follow(clock.frame);
     for (const f of listeners) f();
-    if (!clock.playing && recording) stopRecording();
+    if (wasPlaying && !clock.playing && recording) stopRecording();
+    wasPlaying = clock.playing;
     redraw();
   });
 
@@ -212,12 +214,14 @@ export function makePlayer(page: Page, all: Series[]): Player {
   const pictureButton = iconButton("picture", "Save picture (PNG)", () => void savePicture(picture(), `${saveName()}-${clock.time().toFixed(2)}s.png`));
   const animation = animationType();
   const filmButton = iconButton("film", "Save animation", () => {
-    if (recording) return clock.pause();
+    if (recording) return clock.playing ? clock.pause() : undefined;
+    clock.pause();
     clock.seek(0);
     recording = record(picture(), animation!, saveName());
     filmButton.classList.add("recording");
     setIcon(filmButton, "film", "Stop recording and save");
-    clock.play();
+    const current = recording;
+    void current.ready.then(() => recording === current && clock.play());
   });
   function stopRecording() {
     const r = recording!;
