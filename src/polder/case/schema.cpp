@@ -269,6 +269,7 @@ std::string expected(const Key& key) {
   if (key.quantity == "points") return "a list of points" + such;
   if (key.quantity == "list of length") return "lengths" + such;
   if (key.quantity == "list of time") return "times" + such;
+  if (key.quantity == "list of pressure") return "pressures" + such;
   if (key.quantity == "table of length") return "a length, a list of [time, length], or a CSV file" + such;
   return "a text" + such;
 }

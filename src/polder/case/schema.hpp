@@ -21,7 +21,7 @@ struct Section {
 /// What a key takes is `quantity`: the name of a physical one (math/units.hpp), or one of
 ///   "text", "name", "flag", "count" (a whole number),
 ///   "choice:a|b|c",
-///   "list of length", "list of time" (one or several),
+///   "list of length", "list of time", "list of pressure" (one or several),
 ///   "polygon" (≥ 3 points), "polyline" (≥ 2), "box" (two corners), "points" (≥ 1),
 ///   "table of length" (one value, a list of [time, value], or the name of a CSV file with those two columns).
 struct Key {

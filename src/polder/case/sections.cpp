@@ -31,7 +31,8 @@ void refuse_unknown_sections(const Value& document, Diagnostics& diagnostics) {
   }
 }
 
-/// The tables of a section: none, one, or the entries of a list.
+}  // namespace
+
 std::vector<const Value*> tables_of(const Value& document, const Section& section, Diagnostics& diagnostics) {
   std::vector<const Value*> tables;
   const std::string name(section.name);
@@ -57,13 +58,14 @@ std::vector<const Value*> tables_of(const Value& document, const Section& sectio
   return tables;
 }
 
-/// "soil.dike" where the entry has a name, else "soil.2".
 std::string path_of_entry(const Section& section, const Value& table, std::size_t index) {
   const Value* name = table.find("name");
   if (name && name->kind == Value::Kind::text && !name->text.empty())
     return fmt::format("{}.{}", section.name, name->text);
   return fmt::format("{}.{}", section.name, index + 1);
 }
+
+namespace {
 
 void refuse_duplicate_names(const std::vector<Fields>& entries, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < entries.size(); ++i)
@@ -76,10 +78,10 @@ void refuse_duplicate_names(const std::vector<Fields>& entries, Diagnostics& dia
       }
 }
 
-/// A material's keys are the section's and those of its law. Of an unknown law any law's keys pass. Where a variant
-/// changes the law of its base, what the base says to its own law falls away.
-Fields read_material(const Value& table, const std::string& path, const LawDescription*& law,
-                     Diagnostics& diagnostics) {
+}  // namespace
+
+Fields read_material_section(const Value& table, const std::string& path, const LawDescription*& law,
+                             Diagnostics& diagnostics) {
   std::vector<const Key*> keys = keys_of("material");
   const Value* name = table.find("law");
   law = name && name->kind == Value::Kind::text ? find_soil_law(name->text) : nullptr;
@@ -104,8 +106,6 @@ Fields read_material(const Value& table, const std::string& path, const LawDescr
   }
   return read_fields(table, keys, path, diagnostics, ignored);
 }
-
-}  // namespace
 
 Sections read_sections(const Value& document, Diagnostics& diagnostics) {
   Sections sections;
@@ -141,7 +141,7 @@ Sections read_sections(const Value& document, Diagnostics& diagnostics) {
       for (std::size_t i = 0; i < tables.size(); ++i) {
         const LawDescription* law = nullptr;
         sections.materials.push_back(
-            read_material(*tables[i], path_of_entry(section, *tables[i], i), law, diagnostics));
+            read_material_section(*tables[i], path_of_entry(section, *tables[i], i), law, diagnostics));
         sections.laws.push_back(law);
       }
       refuse_duplicate_names(sections.materials, diagnostics);

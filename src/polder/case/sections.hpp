@@ -14,6 +14,17 @@ struct Sections {
   std::vector<const LawDescription*> laws;  ///< of the materials; nullptr where unknown
 };
 
+/// The tables of a section in a document: none, one, or the entries of a list.
+std::vector<const Value*> tables_of(const Value& document, const Section& section, Diagnostics& diagnostics);
+
+/// "soil.dike" where the entry has a name, else "soil.2".
+std::string path_of_entry(const Section& section, const Value& table, std::size_t index);
+
+/// A material's keys are the section's and those of its law. Of an unknown law any law's keys pass. Where a variant
+/// changes the law of its base, what the base says to its own law falls away.
+Fields read_material_section(const Value& table, const std::string& path, const LawDescription*& law,
+                             Diagnostics& diagnostics);
+
 Sections read_sections(const Value& document, Diagnostics& diagnostics);
 
 /// Density and porosity of a material from whichever of ρs, n, e, γ_unsat, γ_sat are given; permeability from whichever

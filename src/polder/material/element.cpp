@@ -83,16 +83,19 @@ std::optional<Sample> controlled(const SoilLaw& law, const Sample& before, const
   return -f_low < f_high ? at_low : at_high;
 }
 
+/// From tension to compression, and no negative zero in a table.
+double flipped(double tension_positive) { return 0.0 - tension_positive; }
+
 ElementRow row_of(const Sample& sample, double pore_pressure) {
   const auto& s = sample.point.stress;
   ElementRow row;
-  row.axial_strain = -sample.strain[1];
-  row.lateral_strain = -sample.strain[0];
-  row.volumetric_strain = -(sample.strain[0] + sample.strain[1] + sample.strain[2]);
+  row.axial_strain = flipped(sample.strain[1]);
+  row.lateral_strain = flipped(sample.strain[0]);
+  row.volumetric_strain = flipped(sample.strain[0] + sample.strain[1] + sample.strain[2]);
   row.shear_strain = 2 * sample.strain[3];
-  row.axial = -s[1][0];
-  row.lateral = -s[0][0];
-  row.out_of_plane = -s[2][0];
+  row.axial = flipped(s[1][0]);
+  row.lateral = flipped(s[0][0]);
+  row.out_of_plane = flipped(s[2][0]);
   row.shear = s[3][0];
   row.mean = mean_pressure(sample);
   const double a = row.axial - row.lateral, b = row.lateral - row.out_of_plane, c = row.out_of_plane - row.axial;
