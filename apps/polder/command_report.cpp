@@ -27,7 +27,7 @@ void draw_figures(const fs::path& folder) {
                   (folder / "points.pvd").string() + ": no snapshots to draw; 'polder run' writes them");
   for (std::size_t number = 0; 2 * number < series.size(); ++number) {
     const Frame frame = read_snapshot(folder, series, number);
-    write_pictures(folder, frame, standard_pictures(frame));
+    write_pictures(folder, frame, standard_pictures(frame), frame.time);
   }
 }
 

@@ -57,7 +57,7 @@ TEST(ParaView, ReadsEveryPartTimeAndValue) {
   VtkSeries series;
   Frame dry = sample_frame(0.1);
   dry.water = PointSet{};
-  dry.water.fields = {make_field("pore_pressure", {})};
+  dry.water.fields = {make_field("pressure", {})};
   const Frame last = sample_frame(2.5);
   add_snapshot(folder.path, series, dry, VtkPrecision::float64);
   add_snapshot(folder.path, series, last, VtkPrecision::float64);

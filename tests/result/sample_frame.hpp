@@ -28,6 +28,6 @@ inline polder::Frame sample_frame(double time = 2.5) {
     }
   frame.soil.fields = {make_field("porosity", porosity), make_field("velocity", velocity, 2),
                        make_field("effective_stress", stress, 4), make_field("pore_pressure", soil_pressure)};
-  frame.water.fields = {make_field("pore_pressure", water_pressure)};
+  frame.water.fields = {make_field("pressure", water_pressure)};
   return frame;
 }

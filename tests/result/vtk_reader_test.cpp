@@ -53,23 +53,23 @@ TEST(Snapshot, ThatIsCutOffIsRefusedByName) {
 }
 
 TEST(PictureNames, SayWhatThePictureShows) {
-  EXPECT_EQ(picture_name({"pore_pressure", 2.5}), "pore_pressure_t2.5.png");
-  for (const double time : {0.0, 1.0 / 3, 1e-7, 86400.0}) {
+  EXPECT_EQ(picture_name({"pore_pressure", 2.5}), "pore_pressure_2.5s.png");
+  for (const double time : {0.0, 0.125, 1e-7, 86400.0}) {
     const auto name = parse_picture_name(picture_name({"pore_total", time}));
     ASSERT_TRUE(name.has_value());
     EXPECT_EQ(name->field, "pore_total");
     EXPECT_EQ(name->time, time);
   }
-  for (const char* other : {"model.png", "sheet_tall.png", "_t1.png", "porosity_t1.svg", "porosity_t.png"})
+  for (const char* other : {"model.png", "sheet_tall.png", "_1s.png", "porosity_1s.svg", "porosity_s.png"})
     EXPECT_FALSE(parse_picture_name(other).has_value()) << other;
 }
 
 TEST(PictureFiles, AreListedByQuantityThenTime) {
   const TemporaryFolder folder;
   for (const double time : {10.0, 2.0})
-    write_pictures(folder.path, sample_frame(time), standard_pictures(sample_frame()));
+    write_pictures(folder.path, sample_frame(time), standard_pictures(sample_frame()), time);
   std::vector<std::string> names;
   for (const auto& path : list_pictures(folder.path)) names.push_back(path.filename().string());
-  EXPECT_EQ(names, (std::vector<std::string>{"porosity_t2.png", "porosity_t10.png", "pore_pressure_t2.png",
-                                             "pore_pressure_t10.png", "velocity_t2.png", "velocity_t10.png"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"porosity_2s.png", "porosity_10s.png", "pore_pressure_2s.png",
+                                             "pore_pressure_10s.png", "velocity_2s.png", "velocity_10s.png"}));
 }

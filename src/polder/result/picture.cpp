@@ -141,7 +141,7 @@ std::string with_symbol(const FieldInfo& info) {
 
 PictureField picture_field(std::string_view name) {
   PictureField field{std::string(name), "", ColourMap::field, {}, false};
-  if (name == "pore_pressure" || name == "pressure") return {field.name, field.name, ColourMap::water, {}, true};
+  if (name == "pore_pressure" || name == "pressure") return {"pore_pressure", "pressure", ColourMap::water, {}, true};
   if (name == "velocity") return {field.name, field.name, ColourMap::strain, {}, true};
   if (name == "deviatoric_strain" || name == "plastic_strain" || name == "displacement") {
     field.map = ColourMap::strain;
@@ -154,8 +154,10 @@ PictureField picture_field(std::string_view name) {
 
 std::vector<PictureField> standard_pictures(const Frame& frame) {
   std::vector<PictureField> fields;
-  for (const std::string_view name : standard_fields)
-    if (frame.soil.find(name) || frame.water.find(name)) fields.push_back(picture_field(name));
+  for (const std::string_view name : standard_fields) {
+    const PictureField field = picture_field(name);
+    if (frame.soil.find(field.name) || frame.water.find(field.water)) fields.push_back(field);
+  }
   return fields;
 }
 

@@ -13,24 +13,25 @@
 
 namespace polder {
 
-std::string picture_name(const PictureName& name) { return fmt::format("{}_t{}.png", name.field, name.time); }
+std::string picture_name(const PictureName& name) { return fmt::format("{}_{:g}s.png", name.field, name.time); }
 
 std::optional<PictureName> parse_picture_name(const std::string& file) {
-  const std::size_t mark = file.rfind("_t");
-  if (mark == std::string::npos || mark == 0 || file.size() < mark + 7 || file.substr(file.size() - 4) != ".png")
-    return {};
-  const std::string number = file.substr(mark + 2, file.size() - mark - 6);
+  constexpr std::string_view ending = "s.png";
+  const std::size_t mark = file.rfind('_');
+  if (mark == std::string::npos || mark == 0 || !file.ends_with(ending)) return {};
+  const std::string number = file.substr(mark + 1, file.size() - ending.size() - mark - 1);
   char* end = nullptr;
   const double time = std::strtod(number.c_str(), &end);
-  if (end != number.c_str() + number.size()) return {};
+  if (number.empty() || end != number.c_str() + number.size()) return {};
   return PictureName{file.substr(0, mark), time};
 }
 
-void write_pictures(const std::filesystem::path& folder, const Frame& frame, std::span<const PictureField> fields) {
+void write_pictures(const std::filesystem::path& folder, const Frame& frame, std::span<const PictureField> fields,
+                    double instant) {
   make_folder(folder / "pictures");
   for (const PictureField& field : fields)
     if (frame.soil.find(field.name) || frame.water.find(field.water))
-      write_drawing(folder / "pictures" / picture_name({field.name, frame.time}), draw_frame(frame, field));
+      write_drawing(folder / "pictures" / picture_name({field.name, instant}), draw_frame(frame, field));
 }
 
 std::vector<std::filesystem::path> list_pictures(const std::filesystem::path& folder) {

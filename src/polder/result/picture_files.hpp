@@ -1,5 +1,5 @@
 #pragma once
-// The pictures of a run, pictures/<field>_t<time in s>.png: the names say what they show, so that a page of them can
+// The pictures of a run, pictures/<field>_<time>s.png: the names say what they show, so that a page of them can
 // be made from the folder alone.
 #include <filesystem>
 #include <optional>
@@ -17,13 +17,15 @@ struct PictureName {
   double time = 0;  ///< s
 };
 
-/// "porosity_t2.5.png".
+/// "porosity_2.5s.png"; the time to six digits.
 std::string picture_name(const PictureName& name);
 /// Absent where `file` is no such name.
 std::optional<PictureName> parse_picture_name(const std::string& file);
 
-/// One picture per field into `folder`/pictures. Fields that the frame does not have are left out. Throws OutputError.
-void write_pictures(const std::filesystem::path& folder, const Frame& frame, std::span<const PictureField> fields);
+/// One picture per field into `folder`/pictures, named by the instant that was asked for (s): a step ends a little
+/// later. Fields that the frame does not have are left out. Throws OutputError.
+void write_pictures(const std::filesystem::path& folder, const Frame& frame, std::span<const PictureField> fields,
+                    double instant);
 
 /// The picture files of a run's folder, by field (standard ones first), then by time.
 std::vector<std::filesystem::path> list_pictures(const std::filesystem::path& folder);

@@ -15,8 +15,7 @@
 #include "polder/result/history.hpp"
 #include "polder/result/monitors.hpp"
 #include "polder/result/output_error.hpp"
-#include "polder/result/paint.hpp"
-#include "polder/result/picture.hpp"
+#include "polder/result/picture_files.hpp"
 #include "polder/result/progress.hpp"
 #include "polder/result/run_folder.hpp"
 #include "polder/result/state_hash.hpp"
@@ -160,13 +159,7 @@ class Run {
     const Frame frame = frame_of(*simulation_);
     if (series_.empty()) write_section(folder_.path(), frame);
     add_snapshot(folder_.path(), series_, frame);
-    if (picture) draw(frame, *picture);
-  }
-
-  void draw(const Frame& frame, double t) const {
-    make_folder(folder_.path() / "pictures");
-    for (const PictureField& field : standard_pictures(frame))
-      write_drawing(folder_.path() / "pictures" / fmt::format("{}_{:g}s.png", field.name, t), draw_frame(frame, field));
+    if (picture) write_pictures(folder_.path(), frame, standard_pictures(frame), *picture);
   }
 
   void checkpoint() {
