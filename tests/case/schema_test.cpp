@@ -23,6 +23,7 @@ namespace polder {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace case_file;
 
 const fs::path source = POLDER_SOURCE_DIR;
 const std::string sound = (source / "tests/case/golden/sound.toml").string();

@@ -10,6 +10,8 @@
 namespace polder {
 namespace {
 
+using namespace case_file;
+
 constexpr std::string_view introduction = R"(# The case file
 
 <!-- Written by `polder schema --docs` from the table in src/polder/case/schema.cpp; do not edit. -->

@@ -9,7 +9,7 @@
 #include "polder/case/sections.hpp"
 #include "polder/math/units.hpp"
 
-namespace polder {
+namespace polder::case_file {
 namespace {
 
 constexpr double round_off = 1e-9;  // of the model's size, below which lengths count as equal
@@ -304,7 +304,7 @@ void check_monitors(const Checking& c) {
       {"point", "|pressure|porosity|velocity|displacement|effective-stress|water-velocity|"},
       {"section", "|discharge|pressure|"},
       {"surface", "|water-surface|soil-surface|"},
-      {"integral", "|water-volume|soil-volume|kinetic-energy|settlement|"}};
+      {"integral", "|water-volume|soil-volume|settlement|kinetic-energy|"}};
   for (std::size_t i = 0; i < c.model.monitors.size(); ++i) {
     const Monitor& monitor = c.model.monitors[i];
     const Fields& f = c.sections.monitors[i];
@@ -366,4 +366,4 @@ void check_model(const Sections& sections, Model& model, Diagnostics& diagnostic
   check_monitors(c);
 }
 
-}  // namespace polder
+}  // namespace polder::case_file

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace polder {
+namespace polder::case_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -66,7 +66,9 @@ std::string plain(std::string_view message) {
 Value parse(const std::string& path, Diagnostics& diagnostics) {
   std::ifstream file(path);
   std::ostringstream text;
-  if (!fs::is_directory(path) && file && (text << file.rdbuf())) return read_document(text.str(), path, diagnostics);
+  std::error_code unknown;
+  if (!fs::is_directory(path, unknown) && file && (text << file.rdbuf()))
+    return read_document(text.str(), path, diagnostics);
   Value nothing;
   nothing.place.file = path;
   report(diagnostics, nothing.place, {}, "cannot be read", "is the path right, and may the file be read?");
@@ -114,7 +116,8 @@ void merge(Value& base, Value&& over) {
 /// `chain`: the files that led here, to refuse a file that is based on itself.
 Value load(const std::string& path, std::vector<fs::path> chain, Diagnostics& diagnostics) {
   Value own = parse(path, diagnostics);
-  chain.push_back(fs::weakly_canonical(path));
+  std::error_code unknown;  // of a path that cannot be one: then there is no such file either
+  chain.push_back(fs::weakly_canonical(path, unknown));
   const auto base =
       std::find_if(own.members.begin(), own.members.end(), [](const Member& m) { return m.name == "base"; });
   if (base == own.members.end()) return own;
@@ -126,12 +129,12 @@ Value load(const std::string& path, std::vector<fs::path> chain, Diagnostics& di
     return own;
   }
   const fs::path below = fs::path(path).parent_path() / key.value.text;
-  if (std::find(chain.begin(), chain.end(), fs::weakly_canonical(below)) != chain.end()) {
+  if (std::find(chain.begin(), chain.end(), fs::weakly_canonical(below, unknown)) != chain.end()) {
     report(diagnostics, key.value.place, "base", fmt::format("\"{}\" leads back to this file", key.value.text),
            "a case cannot be based on itself, directly or through others");
     return own;
   }
-  if (!fs::is_regular_file(below)) {
+  if (!fs::is_regular_file(below, unknown)) {
     report(diagnostics, key.value.place, "base", fmt::format("there is no file \"{}\"", key.value.text),
            "the path counts from the folder of this file");
     return own;
@@ -273,4 +276,4 @@ Value load_document(const std::string& path, const std::vector<std::string>& ove
   return root;
 }
 
-}  // namespace polder
+}  // namespace polder::case_file

@@ -7,7 +7,7 @@
 
 #include "polder/case/diagnostic.hpp"
 
-namespace polder {
+namespace polder::case_file {
 
 struct Member;
 
@@ -42,4 +42,4 @@ Value read_document(const std::string& text, const std::string& name, Diagnostic
 /// else as a whole. An override's path names an entry by its name or by its number, counted from 1.
 Value load_document(const std::string& path, const std::vector<std::string>& overrides, Diagnostics& diagnostics);
 
-}  // namespace polder
+}  // namespace polder::case_file

@@ -11,7 +11,7 @@
 
 #include "polder/math/units.hpp"
 
-namespace polder {
+namespace polder::case_file {
 namespace {
 
 /// What one value of a section is read with.
@@ -42,8 +42,9 @@ std::string quoted(const Value& value) {
 }
 
 std::optional<double> in_range(const Reading& r, const Value& value, double number) {
-  if (number >= r.key.low && number <= r.key.high && !std::isnan(number)) return number;
-  r.fail(value, fmt::format("{} is out of range", quoted(value)), "it must be " + range_of(r.key));
+  if (number >= r.key.low && number <= r.key.high && std::isfinite(number)) return number;
+  const std::string range = range_of(r.key);
+  r.fail(value, fmt::format("{} is out of range", quoted(value)), "it must be " + (range.empty() ? "finite" : range));
   return {};
 }
 
@@ -149,7 +150,8 @@ bool check_increasing(const Reading& r, const Value& value, const Table& table) 
 bool read_csv(const Reading& r, const Value& value, Entry& field) {
   const auto path = std::filesystem::path(value.place.file).parent_path() / value.text;
   std::ifstream file(path);
-  if (!file || !std::filesystem::is_regular_file(path)) {
+  std::error_code unknown;
+  if (!file || !std::filesystem::is_regular_file(path, unknown)) {
     r.fail(value, fmt::format("there is no file \"{}\"", value.text), "the path counts from the folder of this file");
     return false;
   }
@@ -203,7 +205,8 @@ bool read_table(const Reading& r, const Value& value, const Quantity& quantity, 
     }
     const auto time = read_physical(r, item.items[0], *find_quantity("time"));
     const auto number = read_number(r, item.items[1], quantity);
-    good = good && time && number;
+    if (time && !std::isfinite(*time)) r.fail(item.items[0], "is not a finite time");
+    good = good && time && number && std::isfinite(*time);
     field.table.x.push_back(time.value_or(0));
     field.table.y.push_back(number.value_or(0));
   }
@@ -375,4 +378,4 @@ Fields read_fields(const Value& table, const std::vector<const Key*>& keys, std:
   return fields;
 }
 
-}  // namespace polder
+}  // namespace polder::case_file

@@ -12,7 +12,7 @@
 #include "polder/case/schema.hpp"
 #include "polder/math/table.hpp"
 
-namespace polder {
+namespace polder::case_file {
 
 struct Entry {
   double number = 0;  ///< of a physical quantity, SI; of a count; of a choice: its number in the list
@@ -45,4 +45,4 @@ struct Fields {
 Fields read_fields(const Value& table, const std::vector<const Key*>& keys, std::string path, Diagnostics& diagnostics,
                    const std::set<std::string>& ignored = {});
 
-}  // namespace polder
+}  // namespace polder::case_file

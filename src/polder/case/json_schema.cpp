@@ -11,6 +11,8 @@
 namespace polder {
 namespace {
 
+using namespace case_file;
+
 using Json = nlohmann::ordered_json;
 
 /// A text with a unit, or a plain number in its range; of angles only zero is a plain number.

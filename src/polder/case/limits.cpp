@@ -1,11 +1,42 @@
 // What may be written in a case file but cannot be computed by this version. A feature that arrives deletes its lines.
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "polder/case/geometry.hpp"
 #include "polder/case/sections.hpp"
 
-namespace polder {
+namespace polder::case_file {
+namespace {
+
+/// Soil on both sides of a line inside the model, which may hold the soil of one side only.
+bool divides_soil(const Model& model, const Boundary& line) {
+  const bool upright = line.line[0][0] == line.line[1][0];
+  const std::size_t axis = upright ? 0 : 1;
+  const double at = line.line[0][axis];
+  bool below = false, above = false;
+  for (const SoilBody& soil : model.soils) {
+    if (soil.region.polygon.empty()) continue;
+    const Bounds extent = bounds(soil.region.polygon);
+    below = below || extent.low[axis] < at - 1e-9;
+    above = above || extent.high[axis] > at + 1e-9;
+  }
+  return below && above;
+}
+
+void check_line_limits(const Model& model, const Boundary& boundary, const Fields& f, Diagnostics& diagnostics) {
+  if (boundary.water == WaterCondition::closed)
+    report(diagnostics, f.place_of("water"), f.path_of("water"),
+           "lines that stop water inside the model are not available yet", "set water = \"open\"");
+  if (boundary.soil != SoilCondition::none && divides_soil(model, boundary))
+    report(diagnostics, f.place_of("line"), f.path_of("line"), "has soil on both sides, which is not available yet",
+           "a line may hold the soil of one side");
+}
+
+}  // namespace
 
 void check_limits(const Sections& sections, const Model& model, Diagnostics& diagnostics) {
+  int lines = 0;
   for (std::size_t i = 0; i < model.boundaries.size(); ++i) {
     const Boundary& b = model.boundaries[i];
     const Fields& f = sections.boundaries[i];
@@ -15,7 +46,20 @@ void check_limits(const Sections& sections, const Model& model, Diagnostics& dia
     if (b.side && b.water == WaterCondition::open)
       report(diagnostics, f.place_of("water"), f.path_of("water"), "open sides of the model are not available yet",
              "until they are, leave room for the water that flows out");
+    if (b.side && b.soil == SoilCondition::none)
+      report(diagnostics, f.place_of("soil"), f.path_of("soil"),
+             "sides that the soil does not feel are not available yet", "set soil = \"roller\" or \"rough\"");
+    if (b.line.size() == 2) {
+      check_line_limits(model, b, f, diagnostics);
+      if (++lines > 1)
+        report(diagnostics, f.place_of("line"), f.path_of("line"),
+               "more than one line inside the model is not available yet", "keep one");
+    }
   }
+  for (std::size_t i = 0; i < model.stages.size(); ++i)
+    if (model.stages[i].local_damping > 0)
+      report(diagnostics, sections.stages[i].place_of("local_damping"), sections.stages[i].path_of("local_damping"),
+             "local damping is not available yet", "use damping, such as damping = \"10 1/s\"");
 }
 
-}  // namespace polder
+}  // namespace polder::case_file

@@ -8,6 +8,8 @@
 namespace polder {
 namespace {
 
+using namespace case_file;
+
 using Json = nlohmann::ordered_json;
 
 /// The word of a "choice:…" key.

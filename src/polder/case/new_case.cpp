@@ -11,6 +11,8 @@
 namespace polder {
 namespace {
 
+using namespace case_file;
+
 namespace fs = std::filesystem;
 
 constexpr const char* starter = R"(
@@ -126,7 +128,8 @@ std::string with_range(const Key& key) {
 
 /// A default, as TOML.
 std::string standard_toml(const Key& key) {
-  return key.quantity == "flag" || key.quantity == "count" ? key.standard : quoted(key.standard);
+  const bool plain = key.quantity == "flag" || key.quantity == "count" || key.quantity == "ratio";
+  return plain ? key.standard : quoted(key.standard);
 }
 
 std::vector<Key> keys_of_entry(const Section& section, const Value& table) {

@@ -8,7 +8,7 @@
 #include "polder/case/sections.hpp"
 #include "polder/math/units.hpp"
 
-namespace polder {
+namespace polder::case_file {
 namespace {
 
 constexpr double agreement = 0.01;  // of numbers that say the same thing twice
@@ -138,4 +138,4 @@ void settle_permeability(const Fields& fields, const WaterProperties& water, dou
   }
 }
 
-}  // namespace polder
+}  // namespace polder::case_file

@@ -11,6 +11,8 @@
 namespace polder {
 namespace {
 
+using namespace case_file;
+
 Point2 point2(const std::vector<double>& p) { return {p.front(), p.back()}; }
 
 std::vector<Point2> points2(const Entry* field) {

@@ -7,7 +7,7 @@
 
 #include "polder/math/units.hpp"
 
-namespace polder {
+namespace polder::case_file {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -153,12 +153,12 @@ std::vector<Key> make_keys() {
        "At points, through a section (a line of two points), of the height of a surface at points, or over a region."},
       {"monitor", "quantity", "",
        "choice:pressure|porosity|velocity|displacement|effective-stress|water-velocity|discharge|water-surface|"
-       "soil-surface|water-volume|soil-volume|kinetic-energy|settlement",
+       "soil-surface|water-volume|soil-volume|settlement|kinetic-energy",
        true, "", any, infinity, R"("displacement")",
        "What is recorded. At a point: pressure, porosity, velocity, displacement, effective-stress, water-velocity; "
-       "through "
-       "a section: discharge, pressure; of a surface: water-surface, soil-surface; over a region: water-volume, "
-       "soil-volume, kinetic-energy, settlement (mean, of the soil that was there at the start)."},
+       "through a section: discharge, pressure; of a surface: water-surface, soil-surface; over a region: "
+       "water-volume, "
+       "soil-volume, settlement (mean, of the soil that was there at the start), kinetic-energy."},
       {"monitor", "at", "", "points", false, "", any, infinity, R"([["3.5 m", "0.2 m"]])",
        "The points; of a section the two ends of the line; of a surface the places where its height is taken."},
       {"monitor", "region", "", "polygon", false, "", any, infinity,
@@ -288,4 +288,4 @@ std::string range_of(const Key& key) {
   return {};
 }
 
-}  // namespace polder
+}  // namespace polder::case_file

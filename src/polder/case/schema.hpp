@@ -9,7 +9,8 @@
 
 #include "polder/material/law.hpp"
 
-namespace polder {
+/// What reading a case file needs inside this room; other rooms see the model, the reader and its diagnostics.
+namespace polder::case_file {
 
 struct Section {
   std::string_view name;
@@ -54,4 +55,4 @@ std::string expected(const Key& key);
 /// "between 0.1 and 0.9", "at least 0 Pa", "" where everything goes.
 std::string range_of(const Key& key);
 
-}  // namespace polder
+}  // namespace polder::case_file

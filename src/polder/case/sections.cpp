@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace polder {
+namespace polder::case_file {
 namespace {
 
 std::vector<std::string> section_names() {
@@ -150,4 +150,4 @@ Sections read_sections(const Value& document, Diagnostics& diagnostics) {
   return sections;
 }
 
-}  // namespace polder
+}  // namespace polder::case_file

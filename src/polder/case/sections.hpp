@@ -6,7 +6,7 @@
 #include "polder/case/fields.hpp"
 #include "polder/case/model.hpp"
 
-namespace polder {
+namespace polder::case_file {
 
 struct Sections {
   Fields model, water, initial, output, numerics;
@@ -41,4 +41,4 @@ void check_model(const Sections& sections, Model& model, Diagnostics& diagnostic
 /// What may be written but cannot be computed by this version.
 void check_limits(const Sections& sections, const Model& model, Diagnostics& diagnostics);
 
-}  // namespace polder
+}  // namespace polder::case_file
