@@ -114,8 +114,7 @@ TEST(Hydrostatic3d, HasHeightAsItsThirdAxis) {
   EXPECT_EQ(model.space, SpaceKind::solid);
   EXPECT_EQ(model.size, (std::array{1.0, 1.0, 1.3}));
   EXPECT_EQ(model.boundaries.size(), 6u);
-  EXPECT_EQ(model.numerics.jitter, 0.15);
-  EXPECT_EQ(parameter(model.materials[0], "young_modulus"), 1e7);
+  EXPECT_TRUE(model.materials.empty());
 }
 
 }  // namespace

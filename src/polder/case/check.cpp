@@ -304,7 +304,7 @@ void check_monitors(const Checking& c) {
       {"point", "|pressure|porosity|velocity|displacement|effective-stress|water-velocity|"},
       {"section", "|discharge|pressure|"},
       {"surface", "|water-surface|soil-surface|"},
-      {"integral", "|water-volume|soil-volume|settlement|kinetic-energy|"}};
+      {"integral", "|water-volume|soil-volume|kinetic-energy|settlement|largest-porosity|"}};
   for (std::size_t i = 0; i < c.model.monitors.size(); ++i) {
     const Monitor& monitor = c.model.monitors[i];
     const Fields& f = c.sections.monitors[i];

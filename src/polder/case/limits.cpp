@@ -40,9 +40,6 @@ void check_limits(const Sections& sections, const Model& model, Diagnostics& dia
   for (std::size_t i = 0; i < model.boundaries.size(); ++i) {
     const Boundary& b = model.boundaries[i];
     const Fields& f = sections.boundaries[i];
-    if (b.water == WaterCondition::reservoir)
-      report(diagnostics, f.place_of("water"), f.path_of("water"), "reservoirs are not available yet",
-             "until they are, put a [[free_water]] of finite size in the model");
     if (b.side && b.water == WaterCondition::open)
       report(diagnostics, f.place_of("water"), f.path_of("water"), "open sides of the model are not available yet",
              "until they are, leave room for the water that flows out");
@@ -56,10 +53,6 @@ void check_limits(const Sections& sections, const Model& model, Diagnostics& dia
                "more than one line inside the model is not available yet", "keep one");
     }
   }
-  for (std::size_t i = 0; i < model.stages.size(); ++i)
-    if (model.stages[i].local_damping > 0)
-      report(diagnostics, sections.stages[i].place_of("local_damping"), sections.stages[i].path_of("local_damping"),
-             "local damping is not available yet", "use damping, such as damping = \"10 1/s\"");
 }
 
 }  // namespace polder::case_file

@@ -84,6 +84,7 @@ struct Stage {
   bool initial = false;
   double ramp = 0;           ///< s; gravity rises linearly from 0 to its value over this time (0: full at once)
   double damping = 0;        ///< 1/s, viscous damping of the soil's velocity
+  double water_damping = 0;  ///< 1/s, of the water's velocity
   double local_damping = 0;  ///< Cundall's factor on the soil's out-of-balance force
   bool hold_water = false;   ///< water is held horizontally (the papers' gravity phase)
 };

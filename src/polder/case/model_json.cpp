@@ -68,8 +68,14 @@ Json boundary_json(const Boundary& b) {
 }
 
 Json stage_json(const Stage& s) {
-  return {{"name", s.name},       {"duration", s.duration},           {"initial", s.initial},      {"ramp", s.ramp},
-          {"damping", s.damping}, {"local_damping", s.local_damping}, {"hold_water", s.hold_water}};
+  return {{"name", s.name},
+          {"duration", s.duration},
+          {"initial", s.initial},
+          {"ramp", s.ramp},
+          {"damping", s.damping},
+          {"water_damping", s.water_damping},
+          {"local_damping", s.local_damping},
+          {"hold_water", s.hold_water}};
 }
 
 Json monitor_json(const Monitor& m) {

@@ -161,6 +161,7 @@ Stage read_stage(const Fields& f) {
   stage.ramp = f.number("ramp");
   stage.damping = f.number("damping");
   stage.local_damping = f.number("local_damping");
+  stage.water_damping = f.number("water_damping");
   stage.hold_water = f.flag("hold_water");
   return stage;
 }

@@ -143,6 +143,8 @@ std::vector<Key> make_keys() {
        "Gravity rises linearly from zero to its value over this time at the start of the stage; 0 s: it acts in full."},
       {"stage", "damping", "", "frequency", false, "0 1/s", 0, 1e6, R"("10 1/s")",
        "Viscous damping of the soil's velocity, per unit of mass."},
+      {"stage", "water_damping", "", "frequency", false, "0 1/s", 0, 1e9, R"("5 1/s")",
+       "Viscous damping of the water's velocity: lets waves of a disturbed start die out in an initial stage."},
       {"stage", "local_damping", "α", "ratio", false, "0", 0, 1, "0.7",
        "Local damping as a share of the soil's out-of-balance force (Cundall)."},
       {"stage", "hold_water", "", "flag", false, "false", any, infinity, "false",
@@ -153,12 +155,13 @@ std::vector<Key> make_keys() {
        "At points, through a section (a line of two points), of the height of a surface at points, or over a region."},
       {"monitor", "quantity", "",
        "choice:pressure|porosity|velocity|displacement|effective-stress|water-velocity|discharge|water-surface|"
-       "soil-surface|water-volume|soil-volume|settlement|kinetic-energy",
+       "soil-surface|water-volume|soil-volume|kinetic-energy|settlement|largest-porosity",
        true, "", any, infinity, R"("displacement")",
        "What is recorded. At a point: pressure, porosity, velocity, displacement, effective-stress, water-velocity; "
-       "through a section: discharge, pressure; of a surface: water-surface, soil-surface; over a region: "
-       "water-volume, "
-       "soil-volume, settlement (mean, of the soil that was there at the start), kinetic-energy."},
+       "through "
+       "a section: discharge, pressure; of a surface: water-surface, soil-surface; over a region: water-volume, "
+       "soil-volume, kinetic-energy, settlement (mean, of the soil that was there at the start), "
+       "largest-porosity."},
       {"monitor", "at", "", "points", false, "", any, infinity, R"([["3.5 m", "0.2 m"]])",
        "The points; of a section the two ends of the line; of a surface the places where its height is taken."},
       {"monitor", "region", "", "polygon", false, "", any, infinity,

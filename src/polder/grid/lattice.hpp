@@ -43,6 +43,11 @@ struct Lattice {
     if constexpr (axes == 3) at += (k + ghost_low) * stride[2];
     return at;
   }
+  /// Place on `axis` of the cell (or face) with this index.
+  int place(std::ptrdiff_t index_, int axis) const {
+    if (axis + 1 < axes) index_ %= stride[axis + 1];
+    return static_cast<int>(index_ / stride[axis]) - ghost_low;
+  }
   double cell_volume() const {
     double v = 1;
     for (int a = 0; a < axes; ++a) v *= spacing[a];

@@ -5,6 +5,7 @@
 // set was last sorted; consecutive points of one home form a group.
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "polder/grid/lattice.hpp"
 #include "polder/material/law.hpp"
@@ -77,6 +78,17 @@ struct SoilPoints {
     body("fluid", 0, fluid);
   }
 };
+
+/// Takes out the points with `leaves` set; the others keep their order.
+template <class Points>
+void remove_points(Points& points, const std::vector<std::uint8_t>& leaves) {
+  points.each_array([&](const char*, int, auto& array) {
+    std::size_t to = 0;
+    for (std::size_t p = 0; p < leaves.size(); ++p)
+      if (!leaves[p]) array[to++] = array[p];
+    array.resize(to);
+  });
+}
 
 /// Every array gets `count` more entries, zero.
 template <class Points>

@@ -114,13 +114,7 @@ std::size_t merge_water(const Lattice<Space>& lattice, const Array& cell_porosit
         small.erase(small.begin() + static_cast<std::ptrdiff_t>(a));
     }
   }
-  if (merged > 0)
-    water.each_array([&](const char*, int, auto& array) {
-      std::size_t to = 0;
-      for (std::size_t p = 0; p < n; ++p)
-        if (!gone[p]) array[to++] = array[p];
-      array.resize(to);
-    });
+  if (merged > 0) remove_points(water, gone);
   return merged;
 }
 

@@ -45,11 +45,11 @@ std::string typeset(std::string text) {
 }
 
 /// The case file's description of a material's key, be it the schema's or that of the law.
-std::optional<Key> material_key(const std::string& name, const std::string& law) {
+std::optional<case_file::Key> material_key(const std::string& name, const std::string& law) {
   if (const LawDescription* description = find_soil_law(law))
     for (const Parameter& parameter : description->parameters)
-      if (parameter.key == name) return law_key(parameter);
-  if (const Key* key = find_key("material", name)) return *key;
+      if (parameter.key == name) return case_file::law_key(parameter);
+  if (const case_file::Key* key = case_file::find_key("material", name)) return *key;
   return std::nullopt;
 }
 
@@ -63,14 +63,14 @@ std::string value_text(const Json& value, const std::string& quantity) {
 
 PageTable materials(const Json& list) {
   PageTable table{"materials", "Materials", "", {"Quantity", "Symbol"}, {false, false}, {}};
-  std::vector<std::pair<std::string, Key>> keys;
+  std::vector<std::pair<std::string, case_file::Key>> keys;
   for (const Json& material : list) {
     table.columns.push_back(words(text_of(material, "name")));
     table.numeric.push_back(true);
     for (const auto& [name, value] : material.items()) {
       const bool listed = std::any_of(keys.begin(), keys.end(), [&](const auto& k) { return k.first == name; });
       if (name == "name" || listed) continue;
-      keys.emplace_back(name, material_key(name, text_of(material, "law")).value_or(Key{}));
+      keys.emplace_back(name, material_key(name, text_of(material, "law")).value_or(case_file::Key{}));
     }
   }
   for (const auto& [name, key] : keys) {

@@ -80,8 +80,12 @@ double water_surface(const Simulation<Space>& run, const Point3& place) {
     at[Space::up] = level;
     const std::ptrdiff_t c = lattice.index(at[0], at[1], at[2]);
     if (!grid.wet[c]) continue;
-    const double above = grid.fill[c + lattice.stride[Space::up]];
-    return (level + std::min(1.0, grid.fill[c]) + std::min(1.0, above)) * lattice.spacing[Space::up];
+    // the fill of the uppermost cells together: one alone scatters by the size of a point
+    const std::ptrdiff_t s = lattice.stride[Space::up];
+    const int deep = std::min(level, 4);
+    double filled = grid.fill[c + s];
+    for (int d = 0; d <= deep; ++d) filled += grid.fill[c - d * s];
+    return (level - deep + filled) * lattice.spacing[Space::up];
   }
   return 0;
 }
@@ -150,7 +154,7 @@ std::vector<Part> parts_of(const Monitor& monitor) {
   if (q == "velocity" || q == "water-velocity") return {{" vx", "m/s"}, {" v" + up.substr(1), "m/s"}};
   if (q == "effective-stress") return {{" sxx", "Pa"}, {" s" + up.substr(1) + up.substr(1), "Pa"}};
   if (q == "pressure") return {{"", "Pa"}};
-  if (q == "porosity") return {{"", ""}};
+  if (q == "porosity" || q == "largest-porosity") return {{"", ""}};
   if (q == "discharge") return {{"", Space::axes == 3 ? "m3/s" : "m2/s"}};
   if (q == "water-surface" || q == "soil-surface" || q == "settlement") return {{"", "m"}};
   if (q == "kinetic-energy") return {{"", Space::axes == 3 ? "J" : "J/m"}};
@@ -293,10 +297,13 @@ std::vector<double> Monitors<Space>::sample(const Simulation<Space>& run, double
             sum += v * (soil.reference[Space::up][p] - soil.position[Space::up][p]);
           }
         sum = weight > 0 ? sum / weight : 0;
+      } else if (monitor.quantity == "largest-porosity") {
+        for (std::size_t p = 0; p < soil.size(); ++p)
+          if (inside<Space>(monitor.region, at(soil, p))) sum = std::max(sum, soil.porosity[p]);
       }
       const bool water = monitor.quantity != "soil-volume", grains = monitor.quantity != "water-volume";
       const bool kinetic = monitor.quantity == "kinetic-energy";
-      if (monitor.quantity != "settlement") {
+      if (monitor.quantity != "settlement" && monitor.quantity != "largest-porosity") {
         if (water)
           for (std::size_t p = 0; p < state.water.size(); ++p)
             if (inside<Space>(monitor.region, at(state.water, p)))

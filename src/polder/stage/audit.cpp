@@ -59,7 +59,7 @@ void Audit<Space>::take(const Stepper<Space>& state, double dt) {
   for (auto& section : sections_) {
     const double beyond = water_beyond(state, section);
     if (steps == 1) section.beyond_at_start = beyond;
-    section.moved = beyond - section.beyond_at_start;
+    section.moved = beyond - section.beyond_at_start - section.exchanged;
     section.passed_before = section.passed;
     double flux = 0;  // m³/s
     const int ny = lattice.cells[1], nz = Space::axes == 3 ? lattice.cells[2] : 1;
@@ -79,6 +79,12 @@ void Audit<Space>::take(const Stepper<Space>& state, double dt) {
         }
     section.passed += flux * lattice.face_area(section.axis) * dt;
     section.most = std::max(section.most, std::abs(section.passed));
+  }
+
+  for (const Exchange& exchange : state.exchanged) {
+    (exchange.volume > 0 ? water_in : water_out) += std::abs(exchange.volume);
+    for (auto& section : sections_)
+      if (lattice.place(exchange.cell, section.axis) >= section.face) section.exchanged += exchange.volume;
   }
 
   std::size_t wet = 0, over = 0, inside = 0, under = 0;

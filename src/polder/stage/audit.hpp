@@ -40,6 +40,7 @@ class Audit {
       const std::string name = "audit/section" + std::to_string(i) + "/";
       archive(name + "beyond_at_start", sections_[i].beyond_at_start);
       archive(name + "moved", sections_[i].moved);
+      archive(name + "exchanged", sections_[i].exchanged);
       archive(name + "passed", sections_[i].passed);
       archive(name + "passed_before", sections_[i].passed_before);
       archive(name + "most", sections_[i].most);
@@ -55,8 +56,9 @@ class Audit {
  private:
   struct Section {
     int axis, face;
-    double beyond_at_start = 0;                      ///< m³ of water past the section when the first step began
-    double moved = 0;                                ///< change of it until the last step began
+    double beyond_at_start = 0;  ///< m³ of water past the section when the first step began
+    double moved = 0;            ///< change of it until the last step began
+    double exchanged = 0;        ///< m³ that reservoirs have given beyond it until the last step began
     double passed = 0, passed_before = 0, most = 0;  ///< ∫ flux dt: after the last step, before it, largest so far
   };
   double water_beyond(const Stepper<Space>& state, const Section& section) const;

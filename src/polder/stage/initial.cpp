@@ -85,6 +85,7 @@ Setup<Space> make_setup(const Model& model) {
   setup.numerics = model.numerics;
   setup.gravity = model.gravity;
   setup.points_per_axis = model.points_per_axis;
+  setup.reservoirs = make_reservoirs(model, setup.lattice);
 
   for (PhaseBox* box : {&setup.soil_box, &setup.water_box})
     for (int a = 0; a < Space::axes; ++a) box->high[a] = cells[a];

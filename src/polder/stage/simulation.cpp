@@ -41,6 +41,8 @@ StepReport Simulation<Space>::advance() {
   const Stage& stage = model_.stages[stage_];
   StepControl control;
   control.damping = stage.damping;
+  control.water_damping = stage.water_damping;
+  control.local_damping = stage.local_damping;
   control.hold_water = stage.hold_water;
   if (stage.ramp > 0) control.gravity_factor = std::min(1.0, time_in_stage_ / stage.ramp);
 
@@ -51,6 +53,7 @@ StepReport Simulation<Space>::advance() {
   if (!(dt > 0) || (!last && dt < 1e-9 * std::min(stage.duration, 1.0)))
     throw RunFailure(fmt::format("the time step collapsed to {:.3g} s at t = {:.6g} s (fastest point: {:.3g} cells/s)",
                                  dt, time_, stepper_.motion.speed));
+  control.time = time_ + dt;
   const StepReport report = stepper_.advance(control, dt);
   time_in_stage_ += dt;
   time_ += dt;

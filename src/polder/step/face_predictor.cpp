@@ -65,6 +65,7 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
     const double* quadratic_drag = grid.quadratic_drag[setup.anisotropic && vertical].data();
     double *vs = grid.soil_velocity[c].data(), *vw = grid.water_velocity[c].data(), *porosity = grid.porosity[c].data();
     double *rw = grid.water_response[c].data(), *rs = grid.soil_response[c].data(), *beta = grid.mobility[c].data();
+    double* before = grid.soil_before[c].data();
     std::uint8_t* reached = grid.reached[c].data();
 
     over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int j, int k) {
@@ -93,6 +94,7 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
         if (beside_wet) S = both_wet ? 1 : std::max(least_saturation, S);
 
         double soil = has_soil ? vs[f] / soil_mass[f] : 0;
+        before[f] = soil;
         double water = water_mass[f] > water_present * rho_w * volume ? vw[f] / water_mass[f] : soil;
         if (has_soil) {
           soil += dt * force[f] / std::max(soil_mass[f], force_floor * full_of_grains);
@@ -100,6 +102,7 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
           soil *= 1 - std::min(1.0, control.damping * dt);
         }
         if (vertical) water -= dt * g;
+        water *= 1 - std::min(1.0, control.water_damping * dt);
 
         const bool soil_fixed = wall || all_fixed || place <= setup.soil_box.low[c] || place >= setup.soil_box.high[c];
         const bool water_fixed = wall || (control.hold_water && !vertical);
@@ -124,6 +127,18 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
       }
     });
   }
+}
+
+template <class Space>
+void damp_locally(const Setup<Space>& setup, double factor, GridFields<Space>& grid, Team& team) {
+  for (int c = 0; c < Space::axes; ++c)
+    over_face_rows(setup.lattice, c, team, [&](std::ptrdiff_t first, int count, int, int) {
+      for (std::ptrdiff_t f = first; f < first + count; ++f) {
+        double& v = grid.soil_velocity[c][f];
+        const double change = grid.soil_mass[c][f] > 0 ? v - grid.soil_before[c][f] : 0;
+        v -= std::copysign(std::min(factor * std::abs(change), std::abs(v)), v);
+      }
+    });
 }
 
 template <class Space>
@@ -158,6 +173,8 @@ void update_discharge(const Setup<Space>& setup, GridFields<Space>& grid, Team& 
 
 template void predict_faces(const Setup<PlaneStrain>&, const StepControl&, double, GridFields<PlaneStrain>&, Team&);
 template void predict_faces(const Setup<Solid>&, const StepControl&, double, GridFields<Solid>&, Team&);
+template void damp_locally(const Setup<PlaneStrain>&, double, GridFields<PlaneStrain>&, Team&);
+template void damp_locally(const Setup<Solid>&, double, GridFields<Solid>&, Team&);
 template void update_discharge(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&, Team&);
 template void update_discharge(const Setup<Solid>&, GridFields<Solid>&, Team&);
 

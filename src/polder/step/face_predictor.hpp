@@ -11,6 +11,11 @@ template <class Space>
 void predict_faces(const Setup<Space>& setup, const StepControl& control, double dt, GridFields<Space>& grid,
                    Team& team);
 
+/// Cundall's damping: takes `factor` of what the step has changed a face's soil velocity by, against the motion. After
+/// the pressure has acted.
+template <class Space>
+void damp_locally(const Setup<Space>& setup, double factor, GridFields<Space>& grid, Team& team);
+
 /// q = n(v_w − v_s) on the faces, and |q| for the next step's quadratic drag. After the pressure has acted and ghosts
 /// of the velocities are set.
 template <class Space>

@@ -13,6 +13,7 @@ struct GridFields {
       : soil_mass(make_face_field(lattice)),
         soil_velocity(make_face_field(lattice)),
         soil_force(make_face_field(lattice)),
+        soil_before(make_face_field(lattice)),
         water_mass(make_face_field(lattice)),
         water_velocity(make_face_field(lattice)),
         porosity(make_face_field(lattice)),
@@ -41,6 +42,7 @@ struct GridFields {
   FaceField<Space> soil_mass;       ///< kg
   FaceField<Space> soil_velocity;   ///< kg m/s while points write to it, m/s afterwards
   FaceField<Space> soil_force;      ///< N, internal forces −Σ V σ'·∇N
+  FaceField<Space> soil_before;     ///< m/s, velocity before the step's forces
   FaceField<Space> water_mass;      ///< kg
   FaceField<Space> water_velocity;  ///< as soil_velocity
   FaceField<Space> porosity;        ///< n_f = 1 − m_s/(ρs V_f)

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "polder/boundary/reservoir.hpp"
 #include "polder/case/model.hpp"
 #include "polder/grid/lattice.hpp"
 #include "polder/grid/walls.hpp"
@@ -27,6 +28,7 @@ struct Setup {
   PhaseBox soil_box, water_box;
   std::vector<SoilMaterial> materials;
   WaterProperties water;
+  std::vector<Reservoir<Space>> reservoirs;
   Numerics numerics;
   double gravity = 9.81;     ///< m/s²
   int points_per_axis = 2;   ///< of a full cell at the start
@@ -42,9 +44,12 @@ struct Setup {
 
 /// What a stage sets for each of its steps.
 struct StepControl {
+  double time = 0;  ///< s, at the end of the step
   double gravity_factor = 1;
-  double damping = 0;       ///< 1/s on the soil's velocity
-  bool hold_water = false;  ///< no horizontal flow of water
+  double damping = 0;        ///< 1/s on the soil's velocity
+  double water_damping = 0;  ///< 1/s on the water's velocity
+  double local_damping = 0;  ///< Cundall's factor on the soil's out-of-balance force
+  bool hold_water = false;   ///< no horizontal flow of water
 };
 
 }  // namespace polder

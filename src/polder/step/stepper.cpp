@@ -103,6 +103,7 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   report.pressure = project(setup, dt, grid, solver_, team);
   watch.lap(times.pressure);
 
+  if (control.local_damping > 0) damp_locally(setup, control.local_damping, grid, team);
   extrapolate_water(setup, grid, grid.water_velocity, true, team);
   extrapolate_soil(setup, grid, team);
   for (int c = 0; c < Space::axes; ++c) {
@@ -126,6 +127,11 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   motion.take(of_soil);
   watch.lap(times.to_points);
 
+  if (!setup.reservoirs.empty()) exchanged = exchange_with_reservoirs(setup, control.time, grid, next_water_id, water);
+  if (!exchanged.empty()) {
+    sort_points(setup.lattice, water, water_tiling_, team);
+    drift_water = 0;
+  }
   ++step;
   if (setup.numerics.split_water && soil.size() > 0 && step % resample_every == 0) resample();
   watch.lap(times.resample);

@@ -6,6 +6,7 @@
 #include "polder/step/fields.hpp"
 #include "polder/step/grid_to_points.hpp"
 #include "polder/step/projection.hpp"
+#include "polder/step/reservoirs.hpp"
 #include "polder/step/setup.hpp"
 
 namespace polder {
@@ -59,6 +60,7 @@ class Stepper {
   std::uint64_t next_water_id = 0;
   Motion motion;                           ///< of the last step
   double drift_water = 0, drift_soil = 0;  ///< cells, since the last sort
+  std::vector<Exchange> exchanged;         ///< with reservoirs, in the last step
   StepTimes times;
   Team team;
 

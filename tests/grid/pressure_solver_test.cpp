@@ -1,0 +1,108 @@
+#include "polder/grid/pressure_solver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace polder {
+namespace {
+
+/// −∇·(β∇) with a free surface on top; β is 1, or 1/contrast in a block; closed walls elsewhere.
+template <class Space>
+PressureSolver<Space> problem(const Lattice<Space>& lattice, double contrast) {
+  PressureSolver<Space> solver(lattice);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto beta = [&](const std::array<int, 3>& cell) {
+    return cell[0] > lattice.cells[0] / 2 && cell[Space::up] < lattice.cells[Space::up] / 3 ? 1 / contrast : 1.0;
+  };
+  for (std::ptrdiff_t row = 0; row < lattice.row_count(); ++row)
+    for (int i = 0; i < lattice.cells[0]; ++i) {
+      const std::array<int, 3> cell{i, static_cast<int>(row % lattice.cells[1]),
+                                    static_cast<int>(row / lattice.cells[1])};
+      const std::ptrdiff_t at = lattice.index(cell[0], cell[1], cell[2]);
+      for (int a = 0; a < Space::axes; ++a) {
+        std::array<int, 3> below = cell;
+        --below[a];
+        if (cell[a] > 0) {
+          const double b = 2 / (1 / beta(cell) + 1 / beta(below));
+          solver.matrix.coupling[a][at] = b;
+          solver.matrix.diagonal[at] += b;
+          solver.matrix.diagonal[at - lattice.stride[a]] += b;
+        }
+      }
+      if (cell[Space::up] == lattice.cells[Space::up] - 1) solver.matrix.diagonal[at] += 2 * beta(cell);
+      solver.right_side[at] = uniform(random);
+    }
+  return solver;
+}
+
+TEST(PressureSolver, ConvergesInFewIterations) {
+  Team team(1);
+  for (const int n : {32, 64, 128}) {
+    const Lattice<PlaneStrain> lattice({n, n, 1}, {1, 1, 1});
+    auto solver = problem(lattice, 1);
+    Array x = lattice.make_array();
+    const SolveResult result = solver.solve(x, 1e-6, 100, team);
+    EXPECT_TRUE(result.converged);
+    EXPECT_LE(result.iterations, 25) << n;
+  }
+}
+
+TEST(PressureSolver, StandsLargeJumpsOfTheCoefficient) {
+  Team team(1);
+  for (const double contrast : {1e3, 1e6}) {
+    const Lattice<PlaneStrain> lattice({96, 96, 1}, {1, 1, 1});
+    auto solver = problem(lattice, contrast);
+    Array x = lattice.make_array();
+    const SolveResult result = solver.solve(x, 1e-6, 200, team);
+    EXPECT_TRUE(result.converged) << contrast;
+    EXPECT_LE(result.iterations, 60) << contrast;
+  }
+}
+
+template <class Space>
+void check_threads(const std::array<int, 3>& cells) {
+  const Lattice<Space> lattice(cells, {1, 1, 1});
+  Array alone;
+  for (const int threads : {1, 2, 3}) {
+    Team team(threads);
+    auto solver = problem(lattice, 10);
+    Array x = lattice.make_array();
+    EXPECT_TRUE(solver.solve(x, 1e-9, 100, team).converged);
+    if (threads == 1)
+      alone = x;
+    else
+      EXPECT_EQ(x, alone) << threads;
+  }
+}
+
+TEST(PressureSolver, IsTheSameForAnyNumberOfThreads) {
+  check_threads<PlaneStrain>({101, 67, 1});
+  check_threads<Solid>({21, 18, 17});
+}
+
+TEST(PressureSolver, SolvesWhatItSays) {
+  const Lattice<Solid> lattice({9, 7, 8}, {1, 1, 1});
+  auto solver = problem(lattice, 100);
+  Team team(1);
+  Array x = lattice.make_array();
+  ASSERT_TRUE(solver.solve(x, 1e-10, 200, team).converged);
+  double worst = 0, largest = 0;
+  for (std::ptrdiff_t row = 0; row < lattice.row_count(); ++row)
+    for (int i = 0; i < lattice.cells[0]; ++i) {
+      const std::ptrdiff_t at = lattice.index(i, static_cast<int>(row % 7), static_cast<int>(row / 7));
+      double y = solver.matrix.diagonal[at] * x[at];
+      for (int a = 0; a < 3; ++a) {
+        const std::ptrdiff_t s = lattice.stride[a];
+        y -= solver.matrix.coupling[a][at] * x[at - s] + solver.matrix.coupling[a][at + s] * x[at + s];
+      }
+      worst = std::max(worst, std::abs(y - solver.right_side[at]));
+      largest = std::max(largest, std::abs(solver.right_side[at]));
+    }
+  EXPECT_LT(worst, 1e-8 * largest);
+}
+
+}  // namespace
+}  // namespace polder
