@@ -7,6 +7,8 @@
 #include "polder/case/sections.hpp"
 
 namespace polder {
+
+using namespace case_file;
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -30,7 +30,7 @@ struct ElementInput {
 };
 
 /// The keys of `[[test]]`.
-const std::vector<Key>& element_test_keys();
+const std::vector<case_file::Key>& element_test_keys();
 
 /// Reads `[[material]]` and `[[test]]`; the other sections of a case file are passed over. A test without a material is
 /// run on all. A file without a test gets the standard ones: an oedometer, triaxial tests drained and undrained, and
