@@ -176,7 +176,7 @@ std::vector<Key> make_keys() {
        "Interval of the snapshots that the report plays and ParaView opens."},
       {"output", "pictures", "", "list of time", false, "", 0, 3.2e9, R"(["2 s", "10 s"])",
        "Instants of the pictures; each is a snapshot too."},
-      {"output", "checkpoint", "", "time", false, "300 s", 1, 1e6, R"("300 s")",
+      {"output", "checkpoint", "", "time", false, "300 s", 0.01, 1e6, R"("300 s")",
        "Interval of the checkpoints, in time of the clock on the wall."},
       // ---- numerics
       {"numerics", "cfl", "", "ratio", false, "0.8", 0.01, 1, "0.8",

@@ -79,6 +79,9 @@ class Run {
     } catch (const RunFailure& failure) {
       summary_.status = RunStatus::failed;
       summary_.reason = failure.what();
+      write_atomically(folder_.path() / "failed.h5", checkpoint_bytes(*simulation_, output_, case_text_));
+      add_snapshot(folder_.path(), series_, frame_of(*simulation_));
+      log_->error("{}; the state is kept in failed.h5 and in the last snapshot", failure.what());
     }
     progress_.finish();
     finish();
