@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The tests with AddressSanitizer and UndefinedBehaviorSanitizer: memory that is not ours, overflows, bad shifts.
-# Minutes: 10
+# Minutes: 40
 set -u
 cmake --preset asan >/dev/null && cmake --build --preset asan >&2 || exit 1
 export UBSAN_OPTIONS=print_stacktrace=1

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Static analysis (.clang-tidy says which checks) of every file that the release build compiles for the program.
-# Minutes: 12
+# Minutes: 60
 # Packages: all
 set -u
 cmake --preset clang >/dev/null || exit 1

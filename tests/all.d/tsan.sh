@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The tests with ThreadSanitizer: data races. Address randomisation is off because GCC 12's runtime refuses the wide
 # randomisation of newer kernels.
-# Minutes: 10
+# Minutes: 60
 set -u
 quiet=()
 setarch -R true 2>/dev/null && quiet=(setarch -R)
