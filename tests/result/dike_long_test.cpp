@@ -114,5 +114,27 @@ TEST(DikeSeepage, FailureDoesNotDependOnTheGridAndDarcyLeads) {
   }
 }
 
+TEST(DikeConstantHead, KeepsItsLevelForAllOfTheFailure) {
+  const ReadResult read = read_case(std::string(POLDER_SOURCE_DIR) + "/cases/dike-constant-head/case.toml");
+  ASSERT_TRUE(read.ok());
+  Simulation<PlaneStrain> simulation(read.model, 2);
+  double lowest = 1, highest = 0;
+  while (!simulation.finished()) {
+    simulation.advance();
+    if (simulation.time() <= 0) continue;
+    const auto& state = simulation.state();
+    double stored = 0;
+    for (const auto& cell : state.setup.reservoirs[0].cells)
+      stored += state.grid.water_volume[state.setup.lattice.index(cell[0], cell[1])];
+    lowest = std::min(lowest, stored / 2);
+    highest = std::max(highest, stored / 2);
+  }
+  std::printf("mean level of the reservoir between %.4f and %.4f m\n", lowest, highest);
+  EXPECT_NEAR(lowest, 0.8, 0.002);
+  EXPECT_NEAR(highest, 0.8, 0.002);
+  EXPECT_LT(simulation.audit().water_balance_error(simulation.state()), 1e-9);
+  EXPECT_LT(simulation.audit().flux_balance_error(), 0.01);
+}
+
 }  // namespace
 }  // namespace polder

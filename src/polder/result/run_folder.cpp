@@ -32,8 +32,8 @@ bool has_results(const fs::path& folder) {
 }
 
 void remove_results(const fs::path& folder) {
-  for (const char* name : {"summary.json", "history.csv", "points.pvd", checkpoint_name, previous_name, "failed.h5", "report.html",
-                           "log.txt", "points", "pictures"}) {
+  for (const char* name : {"summary.json", "history.csv", "points.pvd", checkpoint_name, previous_name, "failed.h5",
+                           "report.html", "log.txt", "points", "pictures"}) {
     std::error_code error;
     fs::remove_all(folder / name, error);
     if (error) throw OutputError((folder / name).string(), error.message());
