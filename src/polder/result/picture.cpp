@@ -10,8 +10,9 @@
 namespace polder {
 namespace {
 
-// Squares overlap, so that a strained patch does not look perforated; water, whose points wander, more than soil.
-constexpr double soil_overlap = 1.2, water_overlap = 1.3;
+// Sides of the squares, in sides of the volume that a point stands for: they overlap by less than half, so that sheared
+// soil, whose points draw apart in one direction, does not look perforated.
+constexpr double overlap = 1.45;
 
 using View = std::array<Range, 2>;
 
@@ -86,7 +87,7 @@ ColourBar bar_for(std::span<const Frame> frames, const PictureField& field) {
 }
 
 Squares squares_of(const Frame& frame, const PointSet& points, const std::string& name, const ColourBar& bar,
-                   const Colour& plain, double overlap, const Panel& panel) {
+                   const Colour& plain, const Panel& panel) {
   const PointField* field = points.find(name);
   const std::vector<double> values = field ? magnitudes(*field) : std::vector<double>{};
   Squares squares;
@@ -110,8 +111,8 @@ Path line_in(const Panel& panel, const Line2& line, Stroke stroke, std::optional
 void draw_contents(Drawing& drawing, const Panel& panel, const Frame& frame, const PictureField& field,
                    const ColourBar& bar, bool outline) {
   drawing.add(Clip{panel.x, panel.y, panel.width, panel.height});
-  drawing.add(squares_of(frame, frame.water, field.water, bar, ink::water, water_overlap, panel));
-  drawing.add(squares_of(frame, frame.soil, field.name, bar, rgb(0xd9c9a8), soil_overlap, panel));
+  drawing.add(squares_of(frame, frame.water, field.water, bar, ink::water, panel));
+  drawing.add(squares_of(frame, frame.soil, field.name, bar, rgb(0xd9c9a8), panel));
   for (const Line2& line : frame.water_lines) drawing.add(line_in(panel, line, {ink::water_line, 1.4, {}}));
   for (const Line2& wall : frame.walls) {
     const bool solid = wall.size() > 2 && wall.front() == wall.back();

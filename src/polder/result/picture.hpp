@@ -1,7 +1,7 @@
 #pragma once
-// Pictures of a frame: the points at their true size, coloured by one quantity, with scales in metres, a colour bar,
-// the outline at the start, walls and the free surface. In 3d the picture is the section through the middle of the
-// model across its depth.
+// Pictures of a frame: the points, about the size of what they stand for, coloured by one quantity, with scales in
+// metres, a colour bar, the outline at the start, walls and the free surface. In 3d the picture is the section through
+// the middle of the model across its depth.
 #include <array>
 #include <optional>
 #include <span>
