@@ -103,23 +103,27 @@ struct Body {
   const Fields& fields;
 };
 
-void refuse_overlaps(const Checking& c, const std::vector<Body>& bodies, std::string_view what) {
+/// Reports at `b` that it lies on `a`, if it does.
+void refuse_overlap(const Checking& c, const Body& a, const Body& b, std::string_view help) {
+  const Region &under = a.region, &over = b.region;
+  if (std::min(under.across[1], over.across[1]) <= std::max(under.across[0], over.across[0])) return;
+  const Overlap common = overlap(under.polygon, over.polygon);
+  if (common.area <= round_off * std::min(area(under.polygon), area(over.polygon))) return;
+  const Fields& f = b.fields;
+  const std::string_view shape = f.find("box") ? "box" : f.find("region") ? "region" : "polygon";
+  report(c.diagnostics, f.place_of(shape), f.path,
+         fmt::format("overlaps {} by {:.3g} m2, around ({:.4g}, {:.4g}) m", a.fields.path, common.area,
+                     common.inside[0], common.inside[1]),
+         std::string(help));
+}
+
+void refuse_overlaps(const Checking& c, const std::vector<Body>& bodies, std::string_view help) {
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto &a = bodies[i].region, &b = bodies[j].region;
-      if (std::min(a.across[1], b.across[1]) <= std::max(a.across[0], b.across[0])) continue;
-      const Overlap common = overlap(a.polygon, b.polygon);
-      if (common.area <= round_off * std::min(area(a.polygon), area(b.polygon))) continue;
-      const Fields& f = bodies[i].fields;
-      report(c.diagnostics, f.place_of(f.find("box") ? "box" : "polygon"), f.path,
-             fmt::format("overlaps {} by {:.3g} m2, around ({:.4g}, {:.4g}) m", bodies[j].fields.path, common.area,
-                         common.inside[0], common.inside[1]),
-             fmt::format("{} may touch but not overlap", what));
-    }
+    for (std::size_t j = 0; j < i; ++j) refuse_overlap(c, bodies[j], bodies[i], help);
 }
 
 void check_bodies(const Checking& c) {
-  std::vector<Body> soils, waters;
+  std::vector<Body> soils, waters, reservoirs;
   const auto gather = [&](const auto& bodies, const std::vector<Fields>& fields, std::vector<Body>& sound) {
     for (std::size_t i = 0; i < bodies.size(); ++i)
       if (check_region(c, bodies[i].region, fields[i], fields[i].find("box") ? "box" : "polygon"))
@@ -127,8 +131,18 @@ void check_bodies(const Checking& c) {
   };
   gather(c.model.soils, c.sections.soils, soils);
   gather(c.model.free_water, c.sections.free_water, waters);
-  refuse_overlaps(c, soils, "bodies of soil");
-  refuse_overlaps(c, waters, "bodies of free water");
+  for (std::size_t i = 0; i < c.model.boundaries.size(); ++i) {
+    const Fields& f = c.sections.boundaries[i];
+    if (c.model.boundaries[i].water == WaterCondition::reservoir &&
+        check_region(c, c.model.boundaries[i].region, f, "region"))
+      reservoirs.push_back({c.model.boundaries[i].region, f});
+  }
+  refuse_overlaps(c, soils, "bodies of soil may touch but not overlap");
+  refuse_overlaps(c, waters, "bodies of free water may touch but not overlap");
+  refuse_overlaps(c, reservoirs, "reservoirs may touch but not overlap");
+  for (const Body& reservoir : reservoirs)
+    for (const Body& soil : soils)
+      refuse_overlap(c, soil, reservoir, "a reservoir keeps its level in free water; end it where the soil begins");
   if (c.sections.soils.empty() && c.sections.free_water.empty() &&
       std::none_of(c.model.boundaries.begin(), c.model.boundaries.end(),
                    [](const Boundary& b) { return b.water == WaterCondition::reservoir; }))
@@ -230,7 +244,6 @@ void check_reservoir(const Checking& c, const Boundary& boundary, const Fields& 
   if (!f.is_given("head"))
     report(c.diagnostics, f.place_of("water"), f.path, "a reservoir needs a head",
            "add head = \"0.8 m\", or a hydrograph [[\"0 s\", \"0.8 m\"], [\"1 h\", \"1 m\"]]");
-  if (c.has_grid()) check_region(c, boundary.region, f, "region");
   for (const double head : boundary.head.y)
     if (c.has_grid() && head > c.height() + c.tolerance()) {
       report(c.diagnostics, f.place_of("head"), f.path_of("head"),
