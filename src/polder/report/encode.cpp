@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "polder/result/paint.hpp"
@@ -92,17 +93,22 @@ std::string text_of(const std::vector<std::uint8_t>& bytes) {
   return base64({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-EncodedField encode_field(const PlayerField& info, Quantised quantised, const TrackedOrder& order) {
-  EncodedField field{info, quantised.low, quantised.step, Prediction::time, {}};
-  std::vector<std::uint8_t> smallest;
+/// The prediction whose bytes pack best, judged by a quick pass.
+Prediction best_prediction(const Quantised& quantised, const TrackedOrder& order) {
+  Prediction best = Prediction::time;
+  std::size_t smallest = std::numeric_limits<std::size_t>::max();
   for (const Prediction kind : {Prediction::time, Prediction::neighbour, Prediction::linear}) {
-    std::vector<std::uint8_t> packed = deflate(predict(quantised.q, order, kind));
-    if (!smallest.empty() && packed.size() >= smallest.size()) continue;
-    smallest = std::move(packed);
-    field.prediction = kind;
+    const std::size_t size = deflate(predict(quantised.q, order, kind), Z_BEST_SPEED).size();
+    if (size >= smallest) continue;
+    smallest = size;
+    best = kind;
   }
-  field.text = text_of(smallest);
-  return field;
+  return best;
+}
+
+EncodedField encode_field(const PlayerField& info, const Quantised& quantised, const TrackedOrder& order) {
+  const Prediction prediction = best_prediction(quantised, order);
+  return {info, quantised.low, quantised.step, prediction, text_of(deflate(predict(quantised.q, order, prediction)))};
 }
 
 }  // namespace
@@ -150,10 +156,9 @@ std::vector<std::uint16_t> unpredict(std::span<const std::uint8_t> bytes, const 
   return q;
 }
 
-std::vector<std::uint8_t> deflate(std::span<const std::uint8_t> bytes) {
+std::vector<std::uint8_t> deflate(std::span<const std::uint8_t> bytes, int level) {
   uLongf size = compressBound(static_cast<uLong>(bytes.size()));
   std::vector<std::uint8_t> packed(size);
-  constexpr int level = 9;
   if (compress2(packed.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()), level) != Z_OK)
     throw std::runtime_error("zlib could not compress the report's data");
   packed.resize(size);
@@ -185,8 +190,8 @@ EncodedSeries encode(const PointSeries& series, const Precision& precision) {
     else if (field.info.scale == FieldScale::category)
       quantised = {0, 1, to_steps(sorted, 0, 1)};
     else
-      quantised = quantise(sorted, precision.field_levels);
-    encoded.fields.push_back(encode_field(field.info, std::move(quantised), order));
+      quantised = quantise(sorted, field.info.shown ? precision.field_levels : precision.velocity_levels);
+    encoded.fields.push_back(encode_field(field.info, quantised, order));
   }
   return encoded;
 }

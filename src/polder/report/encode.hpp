@@ -9,7 +9,7 @@
 //   time      q(t−1); where the track is new, the value of the track before it in this frame (0 for the first)
 //   neighbour q(t−1) + [q'(t) − q'(t−1)] with q' the track before it in this frame where both have a past
 //   linear    2 q(t−1) − q(t−2) where there are two
-// The smallest of the three is kept.
+// The one that packs best is kept.
 #include <cstdint>
 #include <span>
 #include <string>
@@ -41,8 +41,8 @@ std::vector<std::uint8_t> predict(std::span<const std::uint16_t> q, const Tracke
 std::vector<std::uint16_t> unpredict(std::span<const std::uint8_t> bytes, const TrackedOrder& order,
                                      Prediction prediction);
 
-/// zlib stream (RFC 1950).
-std::vector<std::uint8_t> deflate(std::span<const std::uint8_t> bytes);
+/// zlib stream (RFC 1950); `level` 1 is quick, 9 small.
+std::vector<std::uint8_t> deflate(std::span<const std::uint8_t> bytes, int level = 9);
 
 struct EncodedField {
   PlayerField info;
@@ -61,7 +61,8 @@ struct EncodedSeries {
 
 struct Precision {
   double coordinate_levels = 16000;  ///< steps over the model's extent: 0.3 mm in 5 m
-  double field_levels = 4000;        ///< steps over a field's range: 0.025 %
+  double field_levels = 2000;        ///< steps over a field's range: 0.05 %
+  double velocity_levels = 1000;     ///< of fields that are not coloured by themselves
 };
 
 /// Coordinates x and y share one step. At most 65 535 frames.

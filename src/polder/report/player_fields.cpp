@@ -57,6 +57,7 @@ void add_tensor(std::vector<PlayerColumn>& columns, const PointField& field, int
 
 void add_vector(std::vector<PlayerColumn>& columns, const PointField& field, int up) {
   using Take = PlayerColumn::Take;
+  if (field.info.name == "displacement") return;  // the player knows where a point was first seen
   if (field.info.name != "velocity") {
     columns.push_back({described(field.info, {}), field.info.name, Take::magnitude});
     return;
