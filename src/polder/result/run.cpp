@@ -29,13 +29,21 @@ namespace {
 
 constexpr double round_off = 1e-9;
 
+/// What makes a case the same one, wherever its file lies.
+std::string identity(const Model& model) {
+  auto json = case_json(model);
+  json.erase("file");
+  json.erase("name");
+  return json.dump();
+}
+
 template <class Space>
 class Run {
  public:
   Run(const Model& model, const RunOptions& options)
       : model_(model),
         options_(options),
-        case_text_(case_json(model).dump()),
+        case_text_(identity(model)),
         folder_(options.folder, options.resume, options.force),
         simulation_(std::make_unique<Simulation<Space>>(model, options.threads)),
         progress_(options.quiet) {
