@@ -214,7 +214,7 @@ void add_remaining_sides(Model& model) {
   for (const auto& [side, name] : sides) {
     if (model.space == SpaceKind::plane_strain && (side == Side::front || side == Side::back)) continue;
     if (std::none_of(model.boundaries.begin(), model.boundaries.end(),
-                     [&](const Boundary& b) { return b.side == side; }))
+                     [wanted = side](const Boundary& b) { return b.side == wanted; }))
       model.boundaries.push_back({name, side, {}, SoilCondition::roller, WaterCondition::closed, {}, {}});
   }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polder/math/simd.hpp"
+
 namespace polder {
 
 namespace {
@@ -216,14 +218,14 @@ void Multigrid<Space>::smooth(Level& level, int c, bool from_zero, std::ptrdiff_
     const float* up = other.coupling[1].data() + at + dy;
     const float* oy = other.value.data() + at;
     if constexpr (axes == 2) {
-#pragma GCC ivdep
+      POLDER_INDEPENDENT
       for (std::ptrdiff_t m = 0; m < count; ++m)
         x[m] = inverse[m] * (b[m] + left[m] * o[m - 1] + right[m] * o[m] + down[m] * oy[m - dy] + up[m] * oy[m + dy]);
     } else {
       const std::ptrdiff_t dz = level.row_step[2];
       const float* back = mine.coupling[axes - 1].data() + at;
       const float* front = other.coupling[axes - 1].data() + at + dz;
-#pragma GCC ivdep
+      POLDER_INDEPENDENT
       for (std::ptrdiff_t m = 0; m < count; ++m)
         x[m] = inverse[m] * (b[m] + left[m] * o[m - 1] + right[m] * o[m] + down[m] * oy[m - dy] + up[m] * oy[m + dy] +
                              back[m] * oy[m - dz] + front[m] * oy[m + dz]);
@@ -331,7 +333,8 @@ void Multigrid<Space>::cycle(std::size_t l, Team& team, int rank) {
     team.barrier();
     return;
   }
-  const auto [row0, row1] = team.part(level.rows(), rank);
+  const std::pair<std::ptrdiff_t, std::ptrdiff_t> part = team.part(level.rows(), rank);
+  const std::ptrdiff_t row0 = part.first, row1 = part.second;
   const auto sweep = [&](int c, bool from_zero) {
     smooth(level, c, from_zero, row0, row1);
     team.barrier();

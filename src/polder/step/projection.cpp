@@ -47,7 +47,7 @@ template <class Space>
 const AlignedVector<std::uint8_t>& spread(const Lattice<Space>& lattice, int c,
                                           const AlignedVector<std::uint8_t>& known, int layers, Array& field,
                                           std::array<AlignedVector<std::uint8_t>, 2>& scratch, Team& team) {
-  auto& [before, after] = scratch;
+  auto &before = scratch[0], &after = scratch[1];
   double* v = field.data();
   before = known;
   for (int layer = 0; layer < layers; ++layer) {
