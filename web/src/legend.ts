@@ -27,7 +27,7 @@ export interface Legend {
   step: () => void;
 }
 
-const plain: Record<Series["name"], Rgb> = { soil: [0.74, 0.62, 0.43], water: [0.36, 0.62, 0.82] };
+const plain: Record<Series["name"], Rgb> = { soil: [0.74, 0.62, 0.43], water: [0.5, 0.7, 0.86] };
 
 const mapOf: Record<string, MapName> = {
   porosity: "dune",

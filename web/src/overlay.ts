@@ -138,7 +138,8 @@ function water(pen: CanvasRenderingContext2D, { page, camera, frame, soil, water
   }
   pen.setLineDash([]);
   pen.lineWidth = 1.25;
-  const longest = [...free, ...phreatic].sort((a, b) => b.length - a.length)[0];
+  const byLength = (a: Point[], b: Point[]) => b.length - a.length;
+  const longest = free.filter((line) => line.length > 7).sort(byLength)[0] ?? phreatic.sort(byLength)[0];
   if (longest) levelSign(pen, ...toScreen(camera, ...longest[Math.floor(longest.length / 2)]));
 }
 

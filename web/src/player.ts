@@ -104,7 +104,7 @@ export function makePlayer(page: Page, all: Series[]): Player {
   function scene(): Scene {
     const drawn: Layer[] = layers.filter((s) => visible[s.name]).map((series) => {
       const { field, low, high, map, category } = legendOf(series).colouring();
-      return { series, values: field?.values ?? null, low, high, map, category, opacity: series.name === "water" && soil && !field ? 0.75 : 1 };
+      return { series, values: field?.values ?? null, low, high, map, category, opacity: 1 };
     });
     const missing = cssColour("--missing").split(" ").map((v) => Number(v) / 255) as [number, number, number];
     return { layers: drawn, frame: clock.frame, blend: clock.place - clock.frame, smooth, camera: stage.camera, missing };

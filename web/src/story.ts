@@ -121,5 +121,5 @@ export function makeHelp(): HTMLDialogElement {
 }
 
 export function makeFooter(page: Page): HTMLElement {
-  return h("footer", {}, h("p", {}, `Polder${page.version && " "}${page.version}. Between snapshots the player moves points along straight lines; when it stands still it shows a snapshot as computed.`));
+  return h("footer", {}, h("p", {}, `Polder ${page.version}.`.replace(" .", ".").replace(" ,", ",") + " Between snapshots the player moves points along straight lines; when it stands still it shows a snapshot as computed."));
 }

@@ -46,7 +46,12 @@ function stackTop(water: Series, frame: number, columns: Columns, height: number
   for (let c = 0; c < columns.count; ++c) {
     let box = 0;
     while (box < boxes && peak[c * boxes + box] === -Infinity) ++box;
-    for (; box < boxes && peak[c * boxes + box] > -Infinity; ++box) top[c] = peak[c * boxes + box];
+    // In the pores water points lie further apart, so one empty box does not break a stack.
+    for (let gap = 0; box < boxes && gap < 2; ++box) {
+      const filled = peak[c * boxes + box] > -Infinity;
+      gap = filled ? 0 : gap + 1;
+      if (filled) top[c] = peak[c * boxes + box];
+    }
   }
   return top;
 }

@@ -33,7 +33,7 @@ out vec4 result;
 void main() {
   float r = length(gl_PointCoord - 0.5) * diameter;
   float edge = clamp(0.5 * diameter - r + 0.5, 0.0, 1.0);
-  if (diameter < 3.0) edge = 1.0;
+  if (diameter < 4.9) edge = 1.0;
   if (edge <= 0.0) discard;
   vec3 rgb = texelFetch(map, ivec2(int(clamp(colour, 0.0, 1.0) * ${mapSize - 1}.0 + 0.5), 0), 0).rgb;
   result = vec4(known > 0.5 ? rgb : missing, 1.0) * edge * opacity;
@@ -213,7 +213,9 @@ export function webglPainter(canvas: HTMLCanvasElement, lost: () => void): Paint
     gl.uniform3fv(discs.at("missing"), scene.missing);
     gl.uniform1f(discs.at("opacity"), layer.opacity);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    points(discs, u, layer, scene, Math.max(1.5, layer.series.spacing * scene.camera.scale * ratio));
+    // Small squares snap to pixels; a little more than their spacing leaves no seams between them.
+    const diameter = layer.series.spacing * scene.camera.scale * ratio;
+    points(discs, u, layer, scene, Math.max(1.5, diameter < 4 ? diameter + 0.9 : diameter));
   }
 
   function drawField(layer: Layer, scene: Scene) {
