@@ -5,11 +5,13 @@
 
 #include "polder/case/diagnostic.hpp"
 #include "polder/case/model.hpp"
+#include "polder/case/stability_input.hpp"
 
 namespace polder {
 
 struct ReadResult {
-  Model model;  ///< complete where there are no errors; else what could be read
+  Model model;                 ///< complete where there are no errors; else what could be read
+  stability::Input stability;  ///< what the factor of safety needs beyond the model
   Diagnostics diagnostics;
   bool ok() const { return !has_errors(diagnostics); }
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polder/case/stability_section.hpp"
 #include "polder/math/units.hpp"
 
 namespace polder::case_file {
@@ -33,6 +34,14 @@ const std::vector<Section> sections = {
     {"monitor", true, false, "A quantity that history.csv records."},
     {"output", false, false, "How often what is written."},
     {"numerics", false, false, "Choices of the method; docs/theory.md argues for the defaults."},
+    {"stability", false, false,
+     "The factor of safety (`polder stability`): water, loads and slip surfaces beyond what the simulation needs."},
+    {"strength", true, false, "Strength and weights of a material for the factor of safety, in place of its law's."},
+    {"head_line", true, false,
+     "A line on which the head is known, for the factor of safety: pressure is linear in height between the water "
+     "table, "
+     "such lines one under the other, and hydrostatic under the last."},
+    {"load", true, false, "A strip load on the ground, for the factor of safety."},
 };
 
 std::vector<Key> make_keys() {
@@ -211,7 +220,11 @@ std::string standard_of(const Parameter& p) {
 const std::vector<Section>& case_sections() { return sections; }
 
 const std::vector<Key>& case_keys() {
-  static const std::vector<Key> keys = make_keys();
+  static const std::vector<Key> keys = [] {
+    std::vector<Key> all = make_keys();
+    for (Key& key : stability_keys()) all.push_back(std::move(key));
+    return all;
+  }();
   return keys;
 }
 

@@ -137,6 +137,10 @@ Sections read_sections(const Value& document, Diagnostics& diagnostics) {
     if (section.name == "boundary") sections.boundaries = all();
     if (section.name == "stage") sections.stages = all();
     if (section.name == "monitor") sections.monitors = all();
+    if (section.name == "stability") sections.stability = one();
+    if (section.name == "strength") sections.strengths = all();
+    if (section.name == "head_line") sections.head_lines = all();
+    if (section.name == "load") sections.loads = all();
     if (section.name == "material") {
       for (std::size_t i = 0; i < tables.size(); ++i) {
         const LawDescription* law = nullptr;

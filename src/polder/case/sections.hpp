@@ -9,8 +9,8 @@
 namespace polder::case_file {
 
 struct Sections {
-  Fields model, water, initial, output, numerics;
-  std::vector<Fields> materials, soils, free_water, boundaries, stages, monitors;
+  Fields model, water, initial, output, numerics, stability;
+  std::vector<Fields> materials, soils, free_water, boundaries, stages, monitors, strengths, head_lines, loads;
   std::vector<const LawDescription*> laws;  ///< of the materials; nullptr where unknown
 };
 

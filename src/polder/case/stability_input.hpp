@@ -75,9 +75,10 @@ struct ReferenceLine {
   Line head_above, head_below;  ///< m, head as a function of x; empty: the phreatic line
 };
 
-/// The water net: pressure is hydrostatic under the phreatic line down to the first reference line, linear in height
-/// between reference lines, hydrostatic with the last `head_below` under the last. Lines hold their end values beyond
-/// their ends for heads; a reference line acts only where it is drawn.
+/// The water net: pressure is linear in height between the phreatic line (or the ground under free water), where it is
+/// zero (or the free water's), and the first reference line, between reference lines, and hydrostatic with the last
+/// `head_below` under the last; without reference lines it is hydrostatic. Heads keep their end values beyond their
+/// ends; a reference line acts only where it is drawn.
 struct WaterNet {
   double unit_weight = 9810;  ///< N/m³
   Line phreatic;              ///< empty: no water
@@ -166,35 +167,33 @@ struct PartialFactors {
   double cohesion = 1, tan_friction = 1, undrained = 1, load = 1, model = 1;
 };
 
-/// Spread of a strength or of a head, for the probabilistic run.
-struct Scatter {
-  std::string what;      ///< "cohesion", "friction_angle", "ratio", "exponent", "undrained_strength", "pop", "head"
-  std::string soil;      ///< name of the soil, or empty for heads
-  double deviation = 0;  ///< coefficient of variation; m for heads
+/// What a case says about the strength of one of its materials beyond its law. NaN: not said.
+struct MaterialStrength {
+  std::string material;
+  bool above = true, below = true;  ///< the phreatic line
+  Strength strength;
+  double unit_weight = std::numeric_limits<double>::quiet_NaN();            ///< N/m³
+  double saturated_unit_weight = std::numeric_limits<double>::quiet_NaN();  ///< N/m³
+  std::optional<Preconsolidation> preconsolidation;
+  double variation = 0;  ///< coefficient of variation of c', tan φ' or s_u, for the probabilistic run
 };
 
 struct Input {
-  std::vector<Soil> soils;  ///< by the names of the model's materials; absent ones are taken from the material's law
-  std::vector<Preconsolidation> preconsolidation;  ///< of `soils`, same order; may be empty
-  std::vector<StatePoint> state_points;
-  std::vector<StateLine> state_lines;
-  WaterNet water;
-  std::optional<WaterNet> daily_water;  ///< water of the state to which preconsolidation refers
-  std::vector<StripLoad> strip_loads;
-  std::vector<LineLoad> line_loads;
+  std::vector<MaterialStrength> strengths;
+  Line phreatic;  ///< empty: the model's water table
+  std::vector<ReferenceLine> heads;
+  double max_suction = 0;     ///< Pa
+  Line daily_phreatic;        ///< of the state to which preconsolidation refers; empty: the same water
+  double head_deviation = 0;  ///< m, standard deviation of all heads, for the probabilistic run
+  std::vector<StripLoad> loads;
   Earthquake earthquake;
   TensionCrack crack;
   SlipLimits limits;
   Movement movement = Movement::automatic;
-  std::optional<CircleGrid> circles;
-  std::optional<UpliftVanArea> uplift_van;
-  std::optional<FreeSurfaceBand> free_surface;
   std::optional<Circle> circle;         ///< one circle to compute instead of a search
   std::optional<UpliftVanPlane> plane;  ///< one Uplift-Van surface to compute
-  std::optional<Line> surface;          ///< one free surface to compute
-  std::vector<std::string> methods;     ///< methods that make sense for this case; empty: all of them
+  Line surface;                         ///< one free surface to compute; empty: search
   PartialFactors partial_factors;
-  std::vector<Scatter> scatter;
 };
 
 }  // namespace polder::stability

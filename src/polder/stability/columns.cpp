@@ -42,7 +42,41 @@ void append_pieces(const Layer& layer, int index, double left, double right, std
     pieces.push_back({{edges[k].at_left, edges[k].at_right}, {edges[k + 1].at_left, edges[k + 1].at_right}, index});
 }
 
+// Whether every corner of `inner` lies in `outer`, or on it within a millimetre.
+bool holds(const Layer& outer, const Layer& inner) {
+  return std::all_of(inner.polygon.begin(), inner.polygon.end(), [&](const Point& p) {
+    if (inside(outer.polygon, p)) return true;
+    for (std::size_t i = 0, j = outer.polygon.size() - 1; i < outer.polygon.size(); j = i++)
+      if (distance(p, outer.polygon[j], outer.polygon[i]) < 1e-3) return true;
+    return false;
+  });
+}
+
+// A layer drawn inside another takes its place there: the outer one's piece is split around it.
+void open_for_inner(const std::vector<std::vector<bool>>& inner, std::vector<Piece>& pieces) {
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      const Piece a = pieces[i], b = pieces[k];
+      if (!inner[static_cast<std::size_t>(a.layer)][static_cast<std::size_t>(b.layer)]) continue;
+      const auto middle = [](const double(&ends)[2]) { return (ends[0] + ends[1]) / 2; };
+      constexpr double hair = 1e-6;  // m
+      if (middle(b.top) > middle(a.top) + hair || middle(b.base) < middle(a.base) - hair) continue;
+      const Piece over{{a.top[0], a.top[1]}, {b.top[0], b.top[1]}, a.layer};
+      const Piece under{{b.base[0], b.base[1]}, {a.base[0], a.base[1]}, a.layer};
+      pieces[i] = over;
+      if (middle(under.top) - middle(under.base) > hair) pieces.push_back(under);
+    }
+  std::erase_if(pieces, [](const Piece& p) { return p.top[0] + p.top[1] - p.base[0] - p.base[1] < 1e-9; });
+}
+
 std::vector<Column> cut(const Section& section) {
+  std::vector<std::vector<bool>> inner(section.layers.size(), std::vector<bool>(section.layers.size(), false));
+  for (std::size_t i = 0; i < section.layers.size(); ++i)
+    for (std::size_t k = 0; k < section.layers.size(); ++k)
+      inner[i][k] =
+          i != k &&
+          std::abs(signed_area(section.layers[i].polygon)) > std::abs(signed_area(section.layers[k].polygon)) &&
+          holds(section.layers[i], section.layers[k]);
   std::vector<double> xs;
   for (const Layer& layer : section.layers) append_line(xs, layer.polygon);
   sort_unique(xs);
@@ -51,6 +85,7 @@ std::vector<Column> cut(const Section& section) {
     Column column{xs[k], xs[k + 1], {}};
     for (std::size_t i = 0; i < section.layers.size(); ++i)
       append_pieces(section.layers[i], static_cast<int>(i), column.left, column.right, column.pieces);
+    open_for_inner(inner, column.pieces);
     std::sort(column.pieces.begin(), column.pieces.end(),
               [](const Piece& a, const Piece& b) { return a.top[0] + a.top[1] > b.top[0] + b.top[1]; });
     columns.push_back(std::move(column));
@@ -174,7 +209,7 @@ double free_water_pressure(const PreparedSection& prepared, double x) {
 double pore_pressure(const PreparedSection& prepared, double x, double z) {
   const Section& section = prepared.section;
   if (!section.pressures.empty()) return pore_pressure(section.pressures, section.water.max_suction, x, z);
-  return pore_pressure(section.water, x, z);
+  return pore_pressure(section.water, x, z, ground_level(prepared, x));
 }
 
 LoadStress load_stress(const PreparedSection& prepared, double x, double z, double width, int layer) {

@@ -1,6 +1,7 @@
 #include "polder/stability/lines.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace polder::stability {
 
@@ -36,6 +37,12 @@ bool inside(std::span<const Point> polygon, const Point& at) {
     if ((a[1] > at[1]) != (b[1] > at[1]) && at[0] < a[0] + (at[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) in = !in;
   }
   return in;
+}
+
+double distance(const Point& p, const Point& a, const Point& b) {
+  const double dx = b[0] - a[0], dz = b[1] - a[1], squared = dx * dx + dz * dz;
+  const double t = squared > 0 ? std::clamp(((p[0] - a[0]) * dx + (p[1] - a[1]) * dz) / squared, 0.0, 1.0) : 0.0;
+  return std::hypot(p[0] - a[0] - t * dx, p[1] - a[1] - t * dz);
 }
 
 double signed_area(std::span<const Point> polygon) {

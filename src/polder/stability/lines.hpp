@@ -19,7 +19,10 @@ bool segments_cross(const Point& a, const Point& b, const Point& c, const Point&
 /// Whether the point is inside the polygon (even-odd rule).
 bool inside(std::span<const Point> polygon, const Point& at);
 
-/// Twice the signed area of the polygon over two: m², positive anticlockwise.
+/// Distance of p from the segment a–b, m.
+double distance(const Point& p, const Point& a, const Point& b);
+
+/// Area of the polygon, m², positive anticlockwise.
 double signed_area(std::span<const Point> polygon);
 
 }  // namespace polder::stability

@@ -6,7 +6,7 @@
 
 namespace polder::stability {
 
-double pore_pressure(const WaterNet& net, double x, double z) {
+double pore_pressure(const WaterNet& net, double x, double z, double ground) {
   if (net.phreatic.empty()) return 0;
   const double table = level(net.phreatic, x);
   if (z >= table) return -std::min(net.max_suction, net.unit_weight * (z - table));
@@ -22,15 +22,13 @@ double pore_pressure(const WaterNet& net, double x, double z) {
     if (at < z && (under == nullptr || at > z_under)) under = &reference, z_under = at;
   }
   const auto head = [&](const Line& line) { return line.empty() ? table : level(line, x); };
-  double pressure = 0;
-  if (over == nullptr) {
-    pressure = net.unit_weight * (table - z);
-  } else if (under == nullptr) {
-    pressure = net.unit_weight * (head(over->head_below) - z);
-  } else {
-    const double p_over = net.unit_weight * (head(over->head_below) - z_over);
-    const double p_under = net.unit_weight * (head(under->head_above) - z_under);
-    pressure = p_over + (z_over - z) / (z_over - z_under) * (p_under - p_over);
+  // Above the first reference line the net hangs on the phreatic line, or on the ground where free water stands on it.
+  const double top = over != nullptr ? z_over : std::min(table, ground);
+  const double at_top = net.unit_weight * ((over != nullptr ? head(over->head_below) : table) - top);
+  double pressure = at_top + net.unit_weight * (top - z);
+  if (under != nullptr && z < top) {
+    const double at_base = net.unit_weight * (head(under->head_above) - z_under);
+    pressure = at_top + (top - z) / (top - z_under) * (at_base - at_top);
   }
   return std::max(pressure, -net.max_suction);
 }

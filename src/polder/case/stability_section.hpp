@@ -1,0 +1,16 @@
+#pragma once
+// The case file's sections that only the factor of safety reads: [stability], [[strength]], [[head_line]], [[load]].
+#include <vector>
+
+#include "polder/case/sections.hpp"
+#include "polder/case/stability_input.hpp"
+
+namespace polder {
+
+/// Their part of the one schema table.
+std::vector<Key> stability_keys();
+
+/// What the sections say; the model's materials and soils must have been read.
+stability::Input read_stability(const Sections& sections, const Model& model, Diagnostics& diagnostics);
+
+}  // namespace polder
