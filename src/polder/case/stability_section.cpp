@@ -11,13 +11,13 @@ using namespace stability;
 
 Line line_of(const Fields& f, std::string_view key) {
   Line line;
-  if (const Field* field = f.find(key))
+  if (const auto* field = f.find(key))
     for (const auto& p : field->points) line.push_back({p.front(), p.back()});
   return line;
 }
 
 std::optional<Range> range_of(const Fields& f, std::string_view key, Diagnostics& diagnostics) {
-  const Field* field = f.find(key);
+  const auto* field = f.find(key);
   if (field == nullptr) return std::nullopt;
   if (field->numbers.size() == 2) return Range{field->numbers[0], field->numbers[1]};
   report(diagnostics, field->place, f.path_of(key), fmt::format("has {} lengths", field->numbers.size()),

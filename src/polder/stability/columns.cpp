@@ -69,6 +69,32 @@ void open_for_inner(const std::vector<std::vector<bool>>& inner, std::vector<Pie
   std::erase_if(pieces, [](const Piece& p) { return p.top[0] + p.top[1] - p.base[0] - p.base[1] < 1e-9; });
 }
 
+// Takes away what is above the line; columns end at its corners and where it crosses boundaries.
+void excavate(const Line& line, Column& column) {
+  if (column.left < line.front()[0] - same_x || column.right > line.back()[0] + same_x) return;
+  const double floor[2] = {level(line, column.left), level(line, column.right)};
+  for (Piece& piece : column.pieces)
+    for (const int side : {0, 1}) piece.top[side] = std::min(piece.top[side], std::max(floor[side], piece.base[side]));
+  std::erase_if(column.pieces, [](const Piece& p) { return p.top[0] + p.top[1] - p.base[0] - p.base[1] < 1e-9; });
+}
+
+// Where an excavation's line crosses the outline of a layer.
+void append_excavation(std::vector<double>& xs, const Line& line, const Section& section) {
+  append_line(xs, line);
+  for (std::size_t k = 0; k + 1 < line.size(); ++k)
+    for (const Layer& layer : section.layers)
+      for (std::size_t i = 0, j = layer.polygon.size() - 1; i < layer.polygon.size(); j = i++) {
+        const Point& a = layer.polygon[j];
+        const Point& b = layer.polygon[i];
+        const double ux = line[k + 1][0] - line[k][0], uz = line[k + 1][1] - line[k][1];
+        const double cross = ux * (b[1] - a[1]) - uz * (b[0] - a[0]);
+        if (std::abs(cross) < 1e-12) continue;
+        const double t = ((a[0] - line[k][0]) * (b[1] - a[1]) - (a[1] - line[k][1]) * (b[0] - a[0])) / cross;
+        const double x = line[k][0] + t * ux;
+        if (t >= 0 && t <= 1 && x >= std::min(a[0], b[0]) && x <= std::max(a[0], b[0])) xs.push_back(x);
+      }
+}
+
 std::vector<Column> cut(const Section& section) {
   std::vector<std::vector<bool>> inner(section.layers.size(), std::vector<bool>(section.layers.size(), false));
   for (std::size_t i = 0; i < section.layers.size(); ++i)
@@ -79,6 +105,7 @@ std::vector<Column> cut(const Section& section) {
           holds(section.layers[i], section.layers[k]);
   std::vector<double> xs;
   for (const Layer& layer : section.layers) append_line(xs, layer.polygon);
+  for (const Line& line : section.excavations) append_excavation(xs, line, section);
   sort_unique(xs);
   std::vector<Column> columns;
   for (std::size_t k = 0; k + 1 < xs.size(); ++k) {
@@ -86,6 +113,7 @@ std::vector<Column> cut(const Section& section) {
     for (std::size_t i = 0; i < section.layers.size(); ++i)
       append_pieces(section.layers[i], static_cast<int>(i), column.left, column.right, column.pieces);
     open_for_inner(inner, column.pieces);
+    for (const Line& line : section.excavations) excavate(line, column);
     std::sort(column.pieces.begin(), column.pieces.end(),
               [](const Piece& a, const Piece& b) { return a.top[0] + a.top[1] > b.top[0] + b.top[1]; });
     columns.push_back(std::move(column));
@@ -214,12 +242,14 @@ double pore_pressure(const PreparedSection& prepared, double x, double z) {
 
 LoadStress load_stress(const PreparedSection& prepared, double x, double z, double width, int layer) {
   LoadStress stress;
+  const Line& table = prepared.section.water.phreatic;
+  const bool wet = !table.empty() && z < level(table, x);  // only pores full of water can carry the load
   const auto add = [&](double from, double to, double force, const std::vector<double>& consolidation) {
     const double overlap = std::min(to, x + width / 2) - std::max(from, x - width / 2);
     if (overlap <= 0) return;
     const double vertical = force / (to - from) * overlap / width;
     stress.vertical += vertical;
-    if (layer >= 0 && static_cast<std::size_t>(layer) < consolidation.size())
+    if (wet && layer >= 0 && static_cast<std::size_t>(layer) < consolidation.size())
       stress.excess_pressure += vertical * (1 - consolidation[static_cast<std::size_t>(layer)]);
   };
   for (const StripLoad& load : prepared.section.strip_loads) {

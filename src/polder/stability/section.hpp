@@ -22,6 +22,7 @@ struct Section {
   std::string name;
   std::vector<Soil> soils;
   std::vector<Layer> layers;
+  std::vector<Line> excavations;  ///< lines over which the soil is taken away, between their ends
   WaterNet water;
   PressureGrid pressures;  ///< where given, replaces the pressures of the water net (its phreatic line still counts)
   std::vector<StatePoint> state_points;

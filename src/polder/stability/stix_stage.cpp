@@ -190,6 +190,9 @@ Section read_stage(const StixFiles& files, const Json& stage, bool design, std::
                               {}});
   }
   if (section.layers.empty()) throw std::invalid_argument(where + ": it has no geometry");
+  for (const Json& dug : member(files.get("decorations", text(stage, "DecorationsId")), "Excavations"))
+    if (Line line = stix_points(member(dug, "Points")); line.size() >= 2)
+      section.excavations.push_back(std::move(line));
   read_water(files.get("waternets", text(stage, "WaternetId")), section);
   read_loads(files.get("loads", text(stage, "LoadsId")), layers, where, section, notes);
   read_reinforcements(files.get("reinforcements", text(stage, "ReinforcementsId")), where, section, notes);
