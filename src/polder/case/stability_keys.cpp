@@ -1,7 +1,7 @@
 // Keys of the sections that only the factor of safety reads.
 #include "polder/case/stability_section.hpp"
 
-namespace polder {
+namespace polder::case_file {
 
 std::vector<Key> stability_keys() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -105,4 +105,4 @@ std::vector<Key> stability_keys() {
   };
 }
 
-}  // namespace polder
+}  // namespace polder::case_file

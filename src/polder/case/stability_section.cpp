@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace polder {
+namespace polder::case_file {
 namespace {
 
 using namespace stability;
@@ -124,4 +124,4 @@ stability::Input read_stability(const Sections& sections, const Model& model, Di
   return input;
 }
 
-}  // namespace polder
+}  // namespace polder::case_file

@@ -5,7 +5,7 @@
 #include "polder/case/sections.hpp"
 #include "polder/case/stability_input.hpp"
 
-namespace polder {
+namespace polder::case_file {
 
 /// Their part of the one schema table.
 std::vector<Key> stability_keys();
@@ -13,4 +13,4 @@ std::vector<Key> stability_keys();
 /// What the sections say; the model's materials and soils must have been read.
 stability::Input read_stability(const Sections& sections, const Model& model, Diagnostics& diagnostics);
 
-}  // namespace polder
+}  // namespace polder::case_file
