@@ -1,0 +1,75 @@
+#include "polder/stability/fem_strength_reduction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace polder {
+namespace {
+
+std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> d(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) d[i] = a[i] - b[i];
+  return d;
+}
+
+double largest(const std::vector<double>& u) {
+  double most = 0;
+  for (std::size_t n = 0; n + 1 < u.size(); n += 2) most = std::max(most, std::hypot(u[n], u[n + 1]));
+  return most;
+}
+
+}  // namespace
+
+StrengthReductionResult strength_reduction(const FemSolver& solver, FemState from, FemAction action,
+                                           const StrengthReductionOptions& options) {
+  StrengthReductionResult result;
+  std::fill(from.displacement.begin(), from.displacement.end(), 0.0);
+  const auto attempt = [&](FemState& state, double factor) {
+    action.strength_factor = factor;
+    const FemOutcome outcome = solver.solve(state, action, options.newton);
+    result.iterations += outcome.iterations;
+    result.curve.push_back({factor, largest(state.displacement), outcome.converged, outcome.iterations});
+    return outcome;
+  };
+
+  // The first equilibrium.
+  FemState state = from;
+  double stable = options.start;
+  while (!attempt(state, stable).converged) {
+    result.failed = stable;
+    result.mechanism = difference(state.displacement, from.displacement);
+    stable *= 0.8;
+    state = from;
+    if (stable < 0.05) return result;
+  }
+  std::fill(state.displacement.begin(), state.displacement.end(), 0.0);
+
+  double step = result.failed > 0 ? (result.failed - stable) / 2 : options.step;
+  while (step >= options.resolution / 2 && stable < options.highest) {
+    const double factor = stable + step;
+    if (result.failed > 0 && factor >= result.failed - 1e-12) {
+      step = (result.failed - stable) / 2;
+      if (step < options.resolution / 2) break;
+      continue;
+    }
+    FemState next = state;
+    if (attempt(next, factor).converged) {
+      stable = factor;
+      state = std::move(next);
+      continue;
+    }
+    result.failed = factor;
+    result.mechanism = difference(next.displacement, state.displacement);
+    step /= 2;
+  }
+  result.stable = stable;
+  result.found = result.failed > 0;
+  result.factor = result.found ? (stable + result.failed) / 2 : stable;
+  result.shear = solver.deviatoric_strain(result.mechanism.empty() ? state.displacement : result.mechanism);
+  result.state = std::move(state);
+  std::stable_sort(result.curve.begin(), result.curve.end(),
+                   [](const auto& a, const auto& b) { return a.factor < b.factor; });
+  return result;
+}
+
+}  // namespace polder
