@@ -28,23 +28,21 @@ StrengthReductionResult strength_reduction(const FemSolver& solver, FemState fro
     action.strength_factor = factor;
     const FemOutcome outcome = solver.solve(state, action, options.newton);
     result.iterations += outcome.iterations;
-    result.curve.push_back({factor, largest(state.displacement), outcome.converged, outcome.iterations});
+    result.curve.push_back({factor, largest(state.displacement), outcome.converged, false, outcome.iterations});
     return outcome;
   };
 
-  // The first equilibrium.
+  // The first equilibrium, if need be with a stronger soil: that a first step from a poor start fails bounds nothing.
   FemState state = from;
   double stable = options.start;
   while (!attempt(state, stable).converged) {
-    result.failed = stable;
-    result.mechanism = difference(state.displacement, from.displacement);
     stable *= 0.8;
     state = from;
     if (stable < 0.05) return result;
   }
   std::fill(state.displacement.begin(), state.displacement.end(), 0.0);
 
-  double step = result.failed > 0 ? (result.failed - stable) / 2 : options.step;
+  double step = options.step, first_rate = 0;
   while (step >= options.resolution / 2 && stable < options.highest) {
     const double factor = stable + step;
     if (result.failed > 0 && factor >= result.failed - 1e-12) {
@@ -53,11 +51,15 @@ StrengthReductionResult strength_reduction(const FemSolver& solver, FemState fro
       continue;
     }
     FemState next = state;
-    if (attempt(next, factor).converged) {
+    const FemOutcome outcome = attempt(next, factor);
+    const double rate = outcome.largest_displacement / (factor - stable);
+    if (outcome.converged && (first_rate == 0 || rate < options.runaway * first_rate)) {
+      if (first_rate == 0) first_rate = rate;
       stable = factor;
       state = std::move(next);
       continue;
     }
+    if (outcome.converged) result.curve.back().runs_away = true;
     result.failed = factor;
     result.mechanism = difference(next.displacement, state.displacement);
     step /= 2;

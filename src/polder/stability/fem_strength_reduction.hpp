@@ -2,8 +2,9 @@
 // Factor of safety by strength reduction: c and tan φ are divided by F until equilibrium can no longer be found
 // (Griffiths & Lane 1999), following the deformation from one F to the next.
 //
-// Failure is called only where both signs of it are there: the out-of-balance force stops falling, and displacements
-// run away compared with the steps before. A step that fails for another reason is tried again with half of it.
+// A step counts as failure where no equilibrium is found, or where displacements run away: where they grow with F
+// hundreds of times faster than in the first step, although the out-of-balance force is small. A step that fails is
+// tried again with half of it, so that a step too long for Newton is not taken for failure.
 #include <vector>
 
 #include "polder/stability/fem_solver.hpp"
@@ -15,6 +16,7 @@ struct StrengthReductionOptions {
   double step = 0.1;          ///< first increase of F
   double resolution = 0.005;  ///< F is bracketed within this
   double highest = 10;        ///< the search ends here: the section does not fail
+  double runaway = 300;       ///< growth of displacement with F over that of the first step that means failure
   FemOptions newton{};
 };
 
@@ -26,6 +28,7 @@ struct StrengthReductionResult {
   struct Point {
     double factor, displacement;
     bool converged;
+    bool runs_away;  ///< found balance, but only after displacements that mean failure
     int iterations;
   };
   std::vector<Point> curve;

@@ -1,0 +1,54 @@
+#include "polder/seepage/model_flow.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "polder/seepage/flow_results.hpp"
+
+namespace {
+
+using namespace polder;
+
+/// A block of soil 4 m long on the model's base, a reservoir 1 m deep on its left, air on its right.
+Model block() {
+  Model model;
+  model.size = {7, 2, 0};
+  model.cell = {0.2, 0.2, 0.2};
+  MaterialInput sand;
+  sand.name = "sand";
+  sand.grain_diameter = 2e-3;
+  model.materials = {sand};
+  model.soils.push_back({0, {{{2, 0}, {6, 0}, {6, 1.2}, {2, 1.2}}}, "block"});
+  model.free_water.push_back({{{{0, 0}, {2, 0}, {2, 1}, {0, 1}}}, "reservoir"});
+  return model;
+}
+
+TEST(ModelFlow, TakesHeadsFromWaterAndSeepsIntoAir) {
+  Model model = block();
+  model.water.viscosity = 8.905e-4;
+  const ModelFlow flow = model_flow(model);
+  EXPECT_NEAR(flow.materials[0].conductivity[0], 0.0522, 5e-4);  // Kozeny–Carman of the dike study: 5.2–5.3 cm/s
+  std::map<std::string, double> length;
+  for (const auto& b : flow.boundaries)
+    length[b.name] += std::hypot(b.line[1][0] - b.line[0][0], b.line[1][1] - b.line[0][1]);
+  EXPECT_NEAR(length["reservoir"], 1.0, 0.11);                                     // to within half a side
+  EXPECT_NEAR(length["reservoir"] + length["seepage face"], 1.2 + 4 + 1.2, 1e-9);  // the base is closed
+}
+
+TEST(ModelFlow, StartsFromTheWaterTable) {
+  Model model = block();
+  model.water_table = {{2, 1}, {6, 0}};
+  const ModelFlow flow = model_flow(model);
+  const FlowSolver solver(flow.problem());
+  const FlowState state = initial_flow(model, solver);
+  EXPECT_NEAR(*phreatic_height(solver, state, 4), 0.5, 0.02);
+}
+
+TEST(ModelFlow, AsksForAPermeability) {
+  Model model = block();
+  model.materials[0].grain_diameter = 0;
+  EXPECT_THROW(model_flow(model), std::invalid_argument);
+}
+
+}  // namespace
