@@ -54,6 +54,7 @@ bool holds(const Layer& outer, const Layer& inner) {
 
 // A layer drawn inside another takes its place there: the outer one's piece is split around it.
 void open_for_inner(const std::vector<std::vector<bool>>& inner, std::vector<Piece>& pieces) {
+  bool split = false;  // a layer that thins out to nothing is no leftover of a split
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       const Piece a = pieces[i], b = pieces[k];
@@ -64,9 +65,10 @@ void open_for_inner(const std::vector<std::vector<bool>>& inner, std::vector<Pie
       const Piece over{{a.top[0], a.top[1]}, {b.top[0], b.top[1]}, a.layer};
       const Piece under{{b.base[0], b.base[1]}, {a.base[0], a.base[1]}, a.layer};
       pieces[i] = over;
+      split = true;
       if (middle(under.top) - middle(under.base) > hair) pieces.push_back(under);
     }
-  std::erase_if(pieces, [](const Piece& p) { return p.top[0] + p.top[1] - p.base[0] - p.base[1] < 1e-9; });
+  if (split) std::erase_if(pieces, [](const Piece& p) { return p.top[0] + p.top[1] - p.base[0] - p.base[1] < 1e-9; });
 }
 
 // Takes away what is above the line; columns end at its corners and where it crosses boundaries.

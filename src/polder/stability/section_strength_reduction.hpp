@@ -19,8 +19,8 @@ struct SectionReduction {
   StrengthReductionResult result;
 };
 
-/// Base fixed, sides held horizontally, weight and water as given, no dilation, no strength from suction. Drained and constant undrained
-/// strengths, the same above and below the phreatic line; what it cannot take is named in `problem`.
+/// Base fixed, sides held horizontally, weight and water as given, no dilation, no strength from suction. Drained and
+/// constant undrained strengths, the same above and below the phreatic line; what it cannot take is named in `problem`.
 SectionReduction reduce_strength(const PreparedSection& prepared, const SectionReductionOptions& options = {});
 
 }  // namespace polder::stability
