@@ -48,11 +48,9 @@ std::vector<Subject> subjects() {
     const auto section = std::find_if(case_sections().begin(), case_sections().end(),
                                       [&](const Section& s) { return s.name == key.section; });
     std::string entry = key.section;
-    static const std::map<std::string, std::string> names = {{"material", "sand"},   {"soil", "bed"},
-                                                             {"free_water", "pond"}, {"boundary", "floor"},
-                                                             {"stage", "rest"},      {"monitor", "middle"},
-                                                             {"strength", "1"},      {"head_line", "1"},
-                                                             {"load", "1"}};
+    static const std::map<std::string, std::string> names = {
+        {"material", "sand"},  {"soil", "bed"},   {"free_water", "pond"}, {"boundary", "floor"}, {"stage", "rest"},
+        {"monitor", "middle"}, {"strength", "1"}, {"head_line", "1"},     {"load", "1"}};
     if (section->list) entry += "." + (key.name == "name" ? "1" : names.at(key.section));
     list.push_back({key, entry + "." + key.name, {}});
   }
