@@ -35,6 +35,12 @@ struct Writer {
   }
 };
 
+// Names in a case file have no dots, commas, equal signs or quotes.
+std::string plain(std::string name) {
+  std::erase_if(name, [](char c) { return c == '.' || c == ',' || c == '=' || c == '"' || c == '\''; });
+  return name;
+}
+
 double degrees(double angle) { return angle * 180 / std::numbers::pi; }
 
 void write_strength(Writer& out, const std::string& material, const char* where, const Strength& s,
@@ -116,7 +122,7 @@ void write_soils(Writer& out, const PreparedSection& prepared, std::vector<std::
   const Section& section = prepared.section;
   for (std::size_t i = 0; i < section.layers.size(); ++i) {
     const Soil& soil = section.soils[static_cast<std::size_t>(section.layers[i].soil)];
-    const std::string name = fmt::format("{} {}", soil.name, i + 1);
+    const std::string name = fmt::format("{} {}", plain(soil.name), i + 1);
     const double porosity = std::clamp((grains * g - soil.saturated_unit_weight) / ((grains - water) * g), 0.05, 0.95);
     out.line("\n[[material]]\nname = \"{}\"\nlaw = \"mohr-coulomb\"\ngrain_density = \"2650 kg/m3\"\nporosity = {:.4f}",
              name, porosity);
