@@ -6,17 +6,22 @@ export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 say() { printf '%s\n' "$*" >&2; }
 die() { say "$*"; exit 2; }
 
-# packages SECTION...: the names listed in these sections of packages.txt.
+# packages SECTION...: the names listed in these sections of packages.txt, less those whose command is there already.
 packages() {
+  local name
   awk -v wanted=" $* " '{ sub(/#.*/, "") }
     /^\[/ { gsub(/[][ \t]/, ""); on = index(wanted, " " $0 " "); next }
-    on && NF { print $1 }' "$root/packages.txt"
+    on && NF { print $1 }' "$root/packages.txt" |
+    while read -r name; do
+      [[ $name == *:* ]] && command -v "${name#*:}" >/dev/null || printf '%s\n' "${name%%:*}"
+    done
 }
 
 # missing_packages SECTION...: those that are not installed.
 missing_packages() {
   local wanted installed
   mapfile -t wanted < <(packages "$@")
+  [ ${#wanted[@]} -gt 0 ] || return 0
   installed=" $(dpkg-query -W -f '${db:Status-Status}:${Package} ' "${wanted[@]}" 2>/dev/null)"
   for package in "${wanted[@]}"; do
     [[ $installed == *" installed:$package "* ]] || printf '%s\n' "$package"
