@@ -45,6 +45,12 @@ TEST_F(CaseFolders, GiveAFileOrAFolderByItsPath) {
   EXPECT_EQ(polder::find_case((root_ / "far/dike").string(), {}), root_ / "far/dike/case.toml");
 }
 
+TEST_F(CaseFolders, GiveTheCasesOfVerificationByNameWithoutListingThem) {
+  add("far/verify/terzaghi");
+  EXPECT_EQ(polder::find_case("terzaghi", folders_), root_ / "far/verify/terzaghi/case.toml");
+  EXPECT_EQ(polder::shipped_cases(folders_).size(), 3u);
+}
+
 TEST_F(CaseFolders, GiveNothingForWhatIsNoCase) {
   for (const char* name : {"", ".", "..", "notes", "no-such-case", "../near/pipe", "dike/", "case.toml"})
     EXPECT_EQ(polder::find_case(name, folders_), std::nullopt) << name;

@@ -8,6 +8,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* file_name = "case.toml";
+constexpr const char* verification = "verify";  // folder of the cases of `polder verify`
 
 bool is_file(const fs::path& path) {
   std::error_code unreadable;
@@ -42,7 +43,8 @@ std::optional<fs::path> find_case(std::string_view name_or_path, std::span<const
   const bool is_name = path.has_filename() && path == path.filename() && path != "." && path != "..";
   if (!is_name) return std::nullopt;
   for (const fs::path& folder : folders)
-    if (is_file(folder / path / file_name)) return folder / path / file_name;
+    for (const fs::path& place : {folder / path, folder / verification / path})
+      if (is_file(place / file_name)) return place / file_name;
   return std::nullopt;
 }
 

@@ -18,8 +18,8 @@ struct ShippedCase {
 /// (`<checkout>/build/<preset>/polder`), where `cmake --install` puts them, in the source tree it was compiled from.
 std::vector<std::filesystem::path> case_folders();
 
-/// The case file that the user means by CASE: a file, a folder with a `case.toml`, or the name of a shipped case, in
-/// this order. Nothing if there is none.
+/// The case file that the user means by CASE: a file, a folder with a `case.toml`, or the name of a shipped case (or of
+/// one that `polder verify` runs, under `verify/`), in this order. Nothing if there is none.
 std::optional<std::filesystem::path> find_case(std::string_view name_or_path);
 std::optional<std::filesystem::path> find_case(std::string_view name_or_path,
                                                std::span<const std::filesystem::path> folders);
