@@ -188,7 +188,8 @@ struct Input {
   std::vector<StripLoad> loads;
   Earthquake earthquake;
   TensionCrack crack;
-  SlipLimits limits;
+  SlipLimits limits;                    ///< its minimum depth only where `minimum_depth` says so
+  std::optional<double> minimum_depth;  ///< m; absent: a tenth of the relief of the ground
   Movement movement = Movement::automatic;
   std::optional<Circle> circle;         ///< one circle to compute instead of a search
   std::optional<UpliftVanPlane> plane;  ///< one Uplift-Van surface to compute

@@ -30,8 +30,10 @@ std::vector<Key> stability_keys() {
        "Span [from, to] of x in which slip surfaces may begin (their high end)."},
       {"stability", "exit", "", "list of length", false, "", any, infinity, R"(["0 m", "2 m"])",
        "Span [from, to] of x in which slip surfaces may end."},
-      {"stability", "minimum_depth", "", "length", false, "0 m", 0, 1000, R"("0.5 m")",
-       "Least depth of a slip surface at its deepest."},
+      {"stability", "minimum_depth", "", "length", false, "", 0, 1000, R"("0.5 m")",
+       "Least depth of a slip surface at its deepest. Left out: a tenth of the height between the lowest and the "
+       "highest "
+       "ground, so that slips of the face's skin do not hide the rest; \"0 m\" lets them all count."},
       {"stability", "minimum_length", "", "length", false, "0 m", 0, 1000, R"("1 m")",
        "Least horizontal distance between the ends of a slip surface."},
       {"stability", "forbidden_line", "", "polyline", false, "", any, infinity, R"([["2 m", "0 m"], ["2 m", "0.4 m"]])",

@@ -113,7 +113,7 @@ stability::Input read_stability(const Sections& sections, const Model& model, Di
   input.crack = {f.number("crack_depth"), f.number("crack_water")};
   input.limits.entry = range_of(f, "entry", diagnostics);
   input.limits.exit = range_of(f, "exit", diagnostics);
-  input.limits.minimum_depth = f.number("minimum_depth");
+  if (f.find("minimum_depth")) input.minimum_depth = f.number("minimum_depth");
   input.limits.minimum_length = f.number("minimum_length");
   if (f.find("forbidden_line")) input.limits.forbidden_lines.push_back(line_of(f, "forbidden_line"));
   const std::string movement = f.text("movement");

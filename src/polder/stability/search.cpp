@@ -122,7 +122,9 @@ SearchResult Trials::finish(const SlipSurface* surface) const {
     for (const auto& [reason, times] : refused) reasons.emplace_back(times, reason);
     std::sort(reasons.rbegin(), reasons.rend());
     for (const auto& [times, reason] : reasons) result.problem += fmt::format("\n  {} times: {}", times, reason);
-    result.problem += "\nWiden the limits ([stability.limits]) or the search area, or draw a section with a slope";
+    result.problem +=
+        "\nWiden the limits (entry, exit, minimum_depth, minimum_length and forbidden_line of [stability]), or draw a "
+        "section with a slope";
     return result;
   }
   result.surface = *surface;

@@ -59,9 +59,9 @@ Soil make_soil(const MaterialInput& material, const Model& model, const Input& i
 }
 
 // Water above the ground must be drawn as free water, or the simulation and the factor of safety would differ.
-void check_water(const Model& model, const Section& section, std::vector<std::string>& problems) {
+void check_water(const Model& model, const PreparedSection& prepared, std::vector<std::string>& problems) {
+  const Section& section = prepared.section;
   if (section.water.phreatic.empty()) return;
-  const PreparedSection prepared = prepare(section);
   double worst = 0, where = 0;
   for (const double x : prepared.breaks) {
     if (x < prepared.left() || x > prepared.right()) continue;
@@ -79,6 +79,14 @@ void check_water(const Model& model, const Section& section, std::vector<std::st
         fmt::format("the water table is {:.2f} m above the ground at x = {:g} m, where the case has no free "
                     "water; lower it there, or draw a [[free_water]]",
                     worst, where));
+}
+
+// Height between the lowest and the highest ground, m.
+double relief(const PreparedSection& prepared) {
+  double low = 1e300, high = -1e300;
+  for (const Column& column : prepared.columns)
+    for (const double z : column.pieces.front().top) low = std::min(low, z), high = std::max(high, z);
+  return high - low;
 }
 
 [[noreturn]] void refuse(const std::vector<std::string>& problems) {
@@ -115,8 +123,14 @@ Section section_from_model(const Model& model, const Input& input) {
   section.crack = input.crack;
   section.limits = input.limits;
   section.movement = input.movement;
-  if (problems.empty() && input.phreatic.empty()) check_water(model, section, problems);
   if (!problems.empty()) refuse(problems);
+  const PreparedSection prepared = prepare(section);
+  if (input.phreatic.empty()) check_water(model, prepared, problems);
+  if (!problems.empty()) refuse(problems);
+  // Cohesionless faces, above all those through which water seeps, fail in ever thinner skins: they are no dike
+  // failure.
+  constexpr double skin = 0.1;
+  section.limits.minimum_depth = input.minimum_depth.value_or(skin * relief(prepared));
   if (!input.daily_phreatic.empty()) {
     Section daily = section;
     daily.water.phreatic = input.daily_phreatic;

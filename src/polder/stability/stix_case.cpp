@@ -156,7 +156,7 @@ void write_stability(Writer& out, const StixCalculation& calculation, const Prep
   };
   range("entry", limits.entry);
   range("exit", limits.exit);
-  if (limits.minimum_depth > 0) out.line("minimum_depth = {:g}", limits.minimum_depth);
+  out.line("minimum_depth = {:g}", limits.minimum_depth);
   if (limits.minimum_length > 0) out.line("minimum_length = {:g}", limits.minimum_length);
   if (!limits.forbidden_lines.empty()) out.line("forbidden_line = {}", out.points(limits.forbidden_lines.front()));
   if (calculation.circle && calculation.analysis.starts_with("Bishop"))
