@@ -375,6 +375,7 @@ void check_model(const Sections& sections, Model& model, Diagnostics& diagnostic
   check_laws(c);
   check_initial(c);
   check_boundaries(c);
+  check_walls(sections, model, diagnostics);
   check_stages(c);
   check_monitors(c);
 }

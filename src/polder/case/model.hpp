@@ -74,6 +74,16 @@ struct Boundary {
   Table head;     ///< m above datum y = 0, as a function of time (reservoir)
 };
 
+/// A rigid wall. A thin one is a line, thinner than a cell: it lies on the faces of the grid nearest to the line,
+/// neither water nor soil crosses it, and the two sides do not feel each other except around its ends.
+struct WallInput {
+  std::string name;          ///< may be empty
+  std::vector<Point2> line;  ///< (x, height) from end to end; in 3d it extends all across y
+  bool rough = false;        ///< soil sticks to it; else it slides along
+  double until = std::numeric_limits<double>::infinity();  ///< s; then it vanishes
+  int until_stage = -1;  ///< index into Model::stages; it vanishes as that stage begins; −1: none
+};
+
 enum class StageStart { keep, ramp };
 
 /// A span of the run. Stages marked `initial` run before t = 0 and end with displacements, velocities and plastic
@@ -135,6 +145,7 @@ struct Model {
   InitialStress initial_stress = InitialStress::k0;
   std::optional<double> k0;  ///< absent: 1 − sin φ' (Jaky) where the law has an angle, else ν/(1 − ν)
   std::vector<Boundary> boundaries;
+  std::vector<WallInput> walls;
   std::vector<Stage> stages;
   std::vector<Monitor> monitors;
   Output output;

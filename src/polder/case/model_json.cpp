@@ -67,6 +67,16 @@ Json boundary_json(const Boundary& b) {
   return json;
 }
 
+Json wall_json(const WallInput& w, const Model& model) {
+  Json json = Json::object();
+  if (!w.name.empty()) json["name"] = w.name;
+  json["line"] = w.line;
+  json["soil"] = w.rough ? "rough" : "smooth";
+  if (std::isfinite(w.until)) json["until"] = w.until;
+  if (w.until_stage >= 0) json["until_stage"] = model.stages.at(static_cast<std::size_t>(w.until_stage)).name;
+  return json;
+}
+
 Json stage_json(const Stage& s) {
   return {{"name", s.name},
           {"duration", s.duration},
@@ -116,6 +126,7 @@ Json case_json(const Model& model) {
   if (model.k0) json["initial"]["k0"] = *model.k0;
   json["boundary"] = Json::array();
   for (const Boundary& b : model.boundaries) json["boundary"].push_back(boundary_json(b));
+  for (const WallInput& w : model.walls) json["wall"].push_back(wall_json(w, model));
   json["stage"] = Json::array();
   for (const Stage& s : model.stages) json["stage"].push_back(stage_json(s));
   json["monitor"] = Json::array();

@@ -154,6 +154,28 @@ Boundary read_boundary(const Fields& f) {
   return boundary;
 }
 
+/// After the stages.
+WallInput read_wall(const Fields& f, const Model& model, Diagnostics& diagnostics) {
+  WallInput wall;
+  wall.name = f.text("name");
+  wall.line = points2(f.find("line"));
+  wall.rough = f.text("soil") == "rough";
+  wall.until = f.number("until", wall.until);
+  const Entry* until = f.find("until_stage");
+  if (!until) return wall;
+  const auto stage =
+      std::find_if(model.stages.begin(), model.stages.end(), [&](const Stage& s) { return s.name == until->text; });
+  if (stage != model.stages.end()) {
+    wall.until_stage = static_cast<int>(stage - model.stages.begin());
+    return wall;
+  }
+  std::vector<std::string> names;
+  for (const Stage& s : model.stages) names.push_back(s.name);
+  report(diagnostics, until->place, f.path_of("until_stage"), fmt::format("there is no stage \"{}\"", until->text),
+         fmt::format("known: {}", fmt::join(names, ", ")));
+  return wall;
+}
+
 Stage read_stage(const Fields& f) {
   Stage stage;
   stage.name = f.text("name");
@@ -245,6 +267,7 @@ ReadResult read_case(const std::string& path, const std::vector<std::string>& ov
     model.free_water.push_back({read_region(f, model, diagnostics), f.text("name")});
   for (const Fields& f : sections.boundaries) model.boundaries.push_back(read_boundary(f));
   for (const Fields& f : sections.stages) model.stages.push_back(read_stage(f));
+  for (const Fields& f : sections.walls) model.walls.push_back(read_wall(f, model, diagnostics));
   for (const Fields& f : sections.monitors) model.monitors.push_back(read_monitor(f));
   read_initial(sections.initial, model);
   read_output(sections.output, model.output);

@@ -28,6 +28,9 @@ const std::vector<Section> sections = {
     {"boundary", true, false,
      "What happens along a side of the model, along a line of the grid inside it, or in a reservoir. A side without an "
      "entry is a smooth, impermeable wall."},
+    {"wall", true, false,
+     "A rigid wall inside the model. Its line lies on the faces of the grid nearest to it, however thin the wall is; "
+     "neither water nor soil crosses it. `until` or `until_stage` makes it a gate."},
     {"stage", true, true,
      "A span of the run; stages follow each other in the order of the file. Those marked `initial` come first, end at "
      "t = 0, and leave displacements, velocities and plastic strains at zero."},
@@ -143,6 +146,16 @@ std::vector<Key> make_keys() {
       {"boundary", "head", "H", "table of length", false, "", -1e5, 1e5, R"("0.8 m")",
        "Water level of a reservoir above y = 0: one value, a hydrograph [[time, level], …], or a CSV file with the "
        "columns time in s and level in m. Linear between the points, constant beyond."},
+      // ---- wall
+      {"wall", "name", "", "name", false, "", any, infinity, R"("sheet pile")", "For messages and the report."},
+      {"wall", "line", "", "polyline", true, "", any, infinity, R"([["2 m", "1 m"], ["2 m", "0.3 m"]])",
+       "The wall from end to end. An oblique part is stepped along the grid."},
+      {"wall", "soil", "", "choice:smooth|rough", false, "smooth", any, infinity, R"("smooth")",
+       "Whether soil slides along the wall or sticks to it. Water always slides."},
+      {"wall", "until", "", "time", false, "", 0, 3.2e9, R"("2 s")",
+       "When the wall vanishes, in time of the event (t = 0 after the initial stages). Left out: it stays."},
+      {"wall", "until_stage", "", "name", false, "", any, infinity, R"("rest")",
+       "Name of the stage at whose beginning the wall vanishes, instead of a time."},
       // ---- stage
       {"stage", "name", "", "name", true, "", any, infinity, R"("seepage")", "For messages and the report."},
       {"stage", "duration", "", "time", true, "", 1e-9, 3.2e9, R"("10 s")", "How long it lasts."},

@@ -135,6 +135,7 @@ Sections read_sections(const Value& document, Diagnostics& diagnostics) {
     if (section.name == "soil") sections.soils = all();
     if (section.name == "free_water") sections.free_water = all();
     if (section.name == "boundary") sections.boundaries = all();
+    if (section.name == "wall") sections.walls = all();
     if (section.name == "stage") sections.stages = all();
     if (section.name == "monitor") sections.monitors = all();
     if (section.name == "stability") sections.stability = one();

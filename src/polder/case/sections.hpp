@@ -10,7 +10,7 @@ namespace polder::case_file {
 
 struct Sections {
   Fields model, water, initial, output, numerics, stability;
-  std::vector<Fields> materials, soils, free_water, boundaries, stages, monitors, strengths, head_lines, loads;
+  std::vector<Fields> materials, soils, free_water, boundaries, walls, stages, monitors, strengths, head_lines, loads;
   std::vector<const LawDescription*> laws;  ///< of the materials; nullptr where unknown
 };
 
@@ -37,6 +37,9 @@ void settle_permeability(const Fields& fields, const WaterProperties& water, dou
 /// What no single key can tell: bodies outside the model or on top of each other, a grid that does not fit, names that
 /// nobody has… Snaps sizes and lines to the grid where they are within round-off of it.
 void check_model(const Sections& sections, Model& model, Diagnostics& diagnostics);
+
+/// Walls that are not in the model or too short for the grid; says how far a wall is from the faces that it lies on.
+void check_walls(const Sections& sections, const Model& model, Diagnostics& diagnostics);
 
 /// What may be written but cannot be computed by this version.
 void check_limits(const Sections& sections, const Model& model, Diagnostics& diagnostics);

@@ -50,7 +50,8 @@ std::array<double, 3> direction_of(const WaterPoints<Space>& water, std::size_t 
 
 template <class Space>
 std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosity, const ResampleRules& rules,
-                        std::uint64_t step, std::uint64_t& next_id, WaterPoints<Space>& water) {
+                        std::uint64_t step, std::uint64_t& next_id, WaterPoints<Space>& water,
+                        const ThinWalls<Space>& walls) {
   std::vector<std::size_t> stretched;
   for (std::size_t p = 0; p < water.size(); ++p)
     if (bulk_volume(lattice, cell_porosity, water, p) >= rules.split_at * rules.nominal) stretched.push_back(p);
@@ -62,10 +63,15 @@ std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosit
     water.volume[p] *= 0.5;
     water.each_array([&](const char*, int, auto& array) { array[half] = array[p]; });
     water.id[half] = next_id++;
-    for (int a = 0; a < Space::axes; ++a) {
-      const double gap = 1e-6 * lattice.spacing[a], shift = split_distance * edge * e[a];
-      for (const auto& [q, sign] : {std::pair{p, 1.0}, std::pair{half, -1.0}})
-        water.position[a][q] = std::clamp(water.position[a][q] + sign * shift, gap, lattice.length(a) - gap);
+    const auto from = position_of(water, p);
+    for (const auto& [q, sign] : {std::pair{p, 1.0}, std::pair{half, -1.0}}) {
+      std::array<double, 3> to{0, 0, 0};
+      for (int a = 0; a < Space::axes; ++a) {
+        const double gap = wall_gap * lattice.spacing[a];
+        to[a] = std::clamp(from[a] + sign * (split_distance * edge * e[a]), gap, lattice.length(a) - gap);
+      }
+      if (walls.any()) stop_at_walls(lattice, walls, from, to);
+      for (int a = 0; a < Space::axes; ++a) water.position[a][q] = to[a];
     }
     ++half;
   }
@@ -119,9 +125,9 @@ std::size_t merge_water(const Lattice<Space>& lattice, const Array& cell_porosit
 }
 
 template std::size_t split_water(const Lattice<PlaneStrain>&, const Array&, const ResampleRules&, std::uint64_t,
-                                 std::uint64_t&, WaterPoints<PlaneStrain>&);
+                                 std::uint64_t&, WaterPoints<PlaneStrain>&, const ThinWalls<PlaneStrain>&);
 template std::size_t split_water(const Lattice<Solid>&, const Array&, const ResampleRules&, std::uint64_t,
-                                 std::uint64_t&, WaterPoints<Solid>&);
+                                 std::uint64_t&, WaterPoints<Solid>&, const ThinWalls<Solid>&);
 template std::size_t merge_water(const Lattice<PlaneStrain>&, const Array&, const ResampleRules&,
                                  WaterPoints<PlaneStrain>&);
 template std::size_t merge_water(const Lattice<Solid>&, const Array&, const ResampleRules&, WaterPoints<Solid>&);

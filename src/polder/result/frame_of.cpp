@@ -1,5 +1,7 @@
 #include "polder/result/frame_of.hpp"
 
+#include "polder/boundary/standing_walls.hpp"
+
 #include <cmath>
 
 #include "polder/result/state_hash.hpp"
@@ -71,6 +73,11 @@ Frame frame_of(const Simulation<Space>& run) {
     if (!outline.empty()) outline.push_back(outline.front());
     frame.outlines.push_back(std::move(outline));
   }
+  const auto stands = standing(run.model(), run.stage_number(), run.time());
+  for (std::size_t w = 0; w < stands.size(); ++w)
+    if (stands[w])
+      frame.walls.push_back(
+          stepped_wall(run.model().walls[w].line, {run.model().cell[0], run.model().cell[Space::up]}).corners);
   if constexpr (Space::axes == 2) frame.water_lines = surface_lines(run);
 
   std::vector<double> pressure;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polder/case/wall_line.hpp"
 #include "polder/result/model_symbols.hpp"
 #include "polder/result/paint.hpp"
 #include "polder/result/panel.hpp"
@@ -90,6 +91,16 @@ void draw_monitors(Drawing& drawing, const Panel& panel, const Model& model, std
   }
 }
 
+void draw_walls(Drawing& drawing, const Panel& panel, const Model& model, std::size_t up) {
+  for (const WallInput& wall : model.walls) {
+    Path path{{}, false, {}, Stroke{ink::wall, 3, {}}};
+    if (is_gate(wall)) path.stroke->dash = {7, 3};
+    for (const Point2& p : stepped_wall(wall.line, {model.cell[0], model.cell[up]}).corners)
+      path.points.push_back(panel.at(p));
+    drawing.add(path);
+  }
+}
+
 std::string length(double metres) { return number_text(metres) + " m"; }
 
 std::string subtitle(const Model& model, std::size_t up) {
@@ -128,6 +139,9 @@ std::vector<Entry> legend_entries(const Model& model, const std::vector<Colour>&
     entries.push_back({striped_swatch, ink::water_line, "reservoir (head held)"});
   if (any([](const Boundary& b) { return b.water == WaterCondition::open; }))
     entries.push_back({heavy_dashes, ink::water_line, "open to water"});
+  const auto gates = std::count_if(model.walls.begin(), model.walls.end(), is_gate);
+  if (static_cast<std::size_t>(gates) < model.walls.size()) entries.push_back({wall_sample, ink::wall, "wall"});
+  if (gates > 0) entries.push_back({gate_sample, ink::wall, "gate (vanishes)"});
   if (any([](const Boundary& b) { return b.soil == SoilCondition::roller; }))
     entries.push_back({roller_sample, ink::axis, "soil slides along (rollers)"});
   if (any([](const Boundary& b) { return b.soil == SoilCondition::rough; }))
@@ -210,6 +224,7 @@ Drawing draw_model(const Model& model, const ModelStyle& style) {
   draw_bodies(drawing, panel, model, colours, up);
   drawing.rectangle(panel.x, panel.y, panel.width, panel.height, {}, Stroke{ink::axis, 1, {}});
   for (const Boundary& boundary : model.boundaries) draw_boundary(drawing, panel, boundary);
+  draw_walls(drawing, panel, model, up);
   draw_monitors(drawing, panel, model, up);
 
   // The scales stand outside the symbols of the sides.

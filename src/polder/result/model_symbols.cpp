@@ -167,6 +167,14 @@ void heavy_dashes(Drawing& drawing, double x, double y, const Colour& colour) {
   drawing.line({x, y}, {x + 22, y}, Stroke{colour, 3, {8, 5}});
 }
 
+void wall_sample(Drawing& drawing, double x, double y, const Colour& colour) {
+  drawing.line({x, y}, {x + 22, y}, Stroke{colour, 3, {}});
+}
+
+void gate_sample(Drawing& drawing, double x, double y, const Colour& colour) {
+  drawing.line({x, y}, {x + 22, y}, Stroke{colour, 3, {7, 3}});
+}
+
 void roller_sample(Drawing& drawing, double x, double y, const Colour& colour) {
   const Stroke stroke{colour, 1.1, {}};
   for (const double at : {5.0, 17.0}) drawing.add(Disc{{x + at, y}, 3.5, rgb(0xffffff), stroke});

@@ -26,6 +26,8 @@ void swatch(Drawing& drawing, double x, double y, const Colour& colour);
 void striped_swatch(Drawing& drawing, double x, double y, const Colour& colour);
 void dashes(Drawing& drawing, double x, double y, const Colour& colour);
 void heavy_dashes(Drawing& drawing, double x, double y, const Colour& colour);
+void wall_sample(Drawing& drawing, double x, double y, const Colour& colour);
+void gate_sample(Drawing& drawing, double x, double y, const Colour& colour);
 void roller_sample(Drawing& drawing, double x, double y, const Colour& colour);
 void hatch_sample(Drawing& drawing, double x, double y, const Colour& colour);
 

@@ -100,8 +100,9 @@ void Audit<Space>::take(const Stepper<Space>& state, double dt) {
       bool interior = true;
       for (int a = 0; a < Space::axes; ++a) {
         const std::ptrdiff_t s = lattice.stride[a];
-        interior =
-            interior && (at[a] == 0 || grid.wet[cell - s]) && (at[a] == lattice.cells[a] - 1 || grid.wet[cell + s]);
+        const auto& walls = state.setup.walls;
+        interior = interior && (at[a] == 0 || walls.blocked(a, cell) || grid.wet[cell - s]) &&
+                   (at[a] == lattice.cells[a] - 1 || walls.blocked(a, cell + s) || grid.wet[cell + s]);
       }
       inside += interior;
       under += interior && grid.fill[cell] < 0.95;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polder/boundary/standing_walls.hpp"
 #include "polder/points/seed.hpp"
 #include "polder/stage/initial.hpp"
 
@@ -34,6 +35,26 @@ Simulation<Space>::Simulation(const Model& model, int threads)
     : model_(model), stepper_(make_stepper<Space>(model, threads)), audit_(model, stepper_) {
   for (const Stage& stage : model_.stages)
     (stage.initial ? time_ : end_time_) += stage.initial ? -stage.duration : stage.duration;
+  raise_walls();
+}
+
+/// The walls that stand now; gates whose time has come vanish.
+template <class Space>
+void Simulation<Space>::raise_walls() {
+  if (model_.walls.empty()) return;
+  std::vector<bool> now = standing(model_, stage_, time_);
+  if (now == standing_) return;
+  standing_ = std::move(now);
+  stepper_.setup.walls = make_thin_walls(model_, stepper_.setup.lattice, standing_);
+}
+
+/// s until the next gate vanishes: a step ends there.
+template <class Space>
+double Simulation<Space>::to_next_gate() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const WallInput& wall : model_.walls)
+    if (stands_at(wall, time_)) least = std::min(least, wall.until - time_);
+  return least;
 }
 
 template <class Space>
@@ -46,11 +67,12 @@ StepReport Simulation<Space>::advance() {
   control.hold_water = stage.hold_water;
   if (stage.ramp > 0) control.gravity_factor = std::min(1.0, time_in_stage_ / stage.ramp);
 
-  double dt = stepper_.natural_step();
+  const double natural = stepper_.natural_step();
+  double dt = std::min(natural, to_next_gate());
   const double left = stage.duration - time_in_stage_;
   const bool last = dt >= left * (1 - 1e-9);
   if (last) dt = left;
-  if (!(dt > 0) || (!last && dt < 1e-9 * std::min(stage.duration, 1.0)))
+  if (!(dt > 0) || (!last && natural < 1e-9 * std::min(stage.duration, 1.0)))
     throw RunFailure(fmt::format("the time step collapsed to {:.3g} s at t = {:.6g} s (fastest point: {:.3g} cells/s)",
                                  dt, time_, stepper_.motion.speed));
   control.time = time_ + dt;
@@ -62,6 +84,7 @@ StepReport Simulation<Space>::advance() {
   audit_.volume_iterations += static_cast<std::uint64_t>(report.volume.iterations);
   check(report);
   if (last) end_stage();
+  raise_walls();
   return report;
 }
 

@@ -23,6 +23,7 @@ class Simulation {
   double time() const { return time_; }  ///< s
   double end_time() const { return end_time_; }
   bool finished() const { return stage_ >= model_.stages.size(); }
+  std::uint64_t stage_number() const { return stage_; }
   const Stage* stage() const { return finished() ? nullptr : &model_.stages[stage_]; }
 
   /// One step of the current stage; at its end, the next one begins. Throws RunFailure.
@@ -41,7 +42,10 @@ class Simulation {
     archive("time_in_stage", time_in_stage_);
   }
   /// After each_state() has restored the values.
-  void restored() { stepper_.restored(); }
+  void restored() {
+    stepper_.restored();
+    raise_walls();
+  }
 
   Stepper<Space>& state() { return stepper_; }
   const Stepper<Space>& state() const { return stepper_; }
@@ -49,11 +53,14 @@ class Simulation {
 
  private:
   void end_stage();
+  void raise_walls();
+  double to_next_gate() const;
   void check(const StepReport& report) const;
 
   Model model_;
   Stepper<Space> stepper_;
   Audit<Space> audit_;
+  std::vector<bool> standing_;  ///< of the model's walls, in the stepper's set-up
   std::uint64_t stage_ = 0;
   double time_ = 0, end_time_ = 0, time_in_stage_ = 0;
 };

@@ -63,6 +63,12 @@ inline std::ptrdiff_t cell_index(const Lattice<Space>& lattice, const ChunkWeigh
   return lattice.index(chunk.cell[0][l], chunk.cell[1][l], Space::axes == 3 ? chunk.cell[Space::axes - 1][l] : 0);
 }
 
+/// The same as places on the axes.
+template <class Space>
+inline std::array<int, 3> cell_places(const ChunkWeights<Space>& chunk, int l) {
+  return {chunk.cell[0][l], chunk.cell[1][l], Space::axes == 3 ? chunk.cell[Space::axes - 1][l] : 0};
+}
+
 /// Index of the first node of point l's stencil for component c.
 template <int c, class Space>
 inline std::ptrdiff_t stencil_base(const ChunkWeights<Space>& chunk, int l) {

@@ -72,15 +72,16 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
       for (int i = 0; i < count; ++i) {
         const std::ptrdiff_t f = first + i, low = f - s;
         const int place = place_on_axis(c, i, j, k);
-        const bool wall = place == 0 || place == lattice.cells[c];
+        const bool end = place == 0 || place == lattice.cells[c];
+        const bool wall = end || setup.walls.blocked(c, f);
         const bool both_wet = grid.wet[low] && grid.wet[f], beside_wet = grid.wet[low] || grid.wet[f];
-        reached[f] = beside_wet;
+        reached[f] = beside_wet && (end || !wall);
         if (soil_mass[f] == 0 && water_mass[f] == 0 && !beside_wet) {
           vs[f] = vw[f] = rs[f] = rw[f] = beta[f] = 0;
           porosity[f] = 1;
           continue;
         }
-        const double volume = wall ? 0.5 * cell_volume : cell_volume;
+        const double volume = end ? 0.5 * cell_volume : cell_volume;
         const double solid = grid.solid_volume[low] + grid.solid_volume[f];
         const double rho_s =
             one_material || solid <= 0 ? rho_s0 : (grid.soil_cell_mass[low] + grid.soil_cell_mass[f]) / solid;

@@ -6,12 +6,12 @@
 
 #include "polder/step/gather.hpp"
 #include "polder/step/soil_stress.hpp"
+#include "polder/step/wall_transfer.hpp"
 
 namespace polder {
 
 namespace {
 
-constexpr double wall_gap = 1e-6;             // cells: how close to a wall a point may come
 constexpr double porosity_relaxation = 0.02;  // per step, of a fluid point's porosity towards the grid's
 
 /// Runs body(tile) over all tiles and gathers the motion they report.
@@ -45,6 +45,44 @@ inline void move(double* x, const double* displacement, int count, double low, d
   for (int l = 0; l < count; ++l) x[l] = std::min(std::max(x[l] + displacement[l], low), high);
 }
 
+/// Moves a chunk's points by `displacement`, held inside the phase's box and, if `walled`, on their side of thin walls.
+template <class Space, class Points>
+void move_chunk(const Setup<Space>& setup, const PhaseBox& box, bool walled, std::size_t first, int count,
+                const double (&displacement)[Space::axes][chunk_size], Points& points) {
+  const auto& lattice = setup.lattice;
+  double before[Space::axes][chunk_size];
+  if (walled)
+    for (int a = 0; a < Space::axes; ++a) std::copy_n(points.position[a].data() + first, count, before[a]);
+  for (int a = 0; a < Space::axes; ++a)
+    move(points.position[a].data() + first, displacement[a], count, (box.low[a] + wall_gap) * lattice.spacing[a],
+         (box.high[a] - wall_gap) * lattice.spacing[a]);
+  if (!walled) return;
+  for (int l = 0; l < count; ++l) {
+    std::array<double, 3> from{0, 0, 0}, to{0, 0, 0};
+    for (int a = 0; a < Space::axes; ++a) from[a] = before[a][l], to[a] = points.position[a][first + l];
+    stop_at_walls(lattice, setup.walls, from, to);
+    for (int a = 0; a < Space::axes; ++a) points.position[a][first + l] = to[a];
+  }
+}
+
+/// The sums of a component at a chunk's points.
+template <int c, bool with_gradient, class Space>
+void gather(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, bool walled, int count, const Array& field,
+            Gathered<Space>& out) {
+  if (walled)
+    gather_beside_walls<c, with_gradient>(setup.walls, setup.lattice, chunk, count, field.data(), out);
+  else
+    gather_component<c, with_gradient>(setup.lattice, chunk, count, field.data(), out);
+}
+template <int c, class Space>
+void gather(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, bool walled, int count, const Array& field,
+            double* value) {
+  if (walled)
+    gather_value_beside_walls<c>(setup.walls, setup.lattice, chunk, count, field.data(), value);
+  else
+    gather_value<c>(setup.lattice, chunk, count, field.data(), value);
+}
+
 /// The grid's porosity around a soil point.
 template <class Space>
 double grid_porosity(const Setup<Space>& setup, const GridFields<Space>& grid, const SoilPoints<Space>& soil,
@@ -52,8 +90,9 @@ double grid_porosity(const Setup<Space>& setup, const GridFields<Space>& grid, c
   std::array<double, 3> x{0, 0, 0};
   for (int a = 0; a < Space::axes; ++a) x[a] = soil.position[a][p];
   double n = 0;
-  BoxOverlap<Space>(setup.lattice, x, 0.5, setup.soil_box.low, setup.soil_box.high)
-      .over_cells(setup.lattice, [&](std::ptrdiff_t cell, double share) { n += share * grid.cell_porosity[cell]; });
+  over_seen_cells(setup.walls, setup.lattice, x, cell_of(setup.lattice, x), 0.5, setup.soil_box.low,
+                  setup.soil_box.high,
+                  [&](std::ptrdiff_t cell, double share) { n += share * grid.cell_porosity[cell]; });
   return n;
 }
 
@@ -82,18 +121,19 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
       const std::size_t first = tile.first + done;
       const int count = std::min(chunk_size, static_cast<int>(tile.count - done));
       chunk.compute(lattice, pointers_at<Space>(water.position, first), count);
+      const bool walled = beside_walls(setup.walls, lattice, chunk, count);
       bool in_soil = false;
       for (int l = 0; l < count; ++l) {
         porosity[l] = grid.cell_porosity[cell_index(lattice, chunk, l)];
         in_soil = in_soil || porosity[l] < 1;
       }
       over_components<Space>([&]<int c>() {
-        gather_component<c, false>(lattice, chunk, count, grid.water_velocity[c].data(), gathered);
+        gather<c, false>(setup, chunk, walled, count, grid.water_velocity[c], gathered);
         take_motion<c>(lattice, gathered, first, count, water);
-        gather_value<c>(lattice, chunk, count, grid.shift[c].data(), displacement[c]);
+        gather<c>(setup, chunk, walled, count, grid.shift[c], displacement[c]);
         if (in_soil) {
-          gather_value<c>(lattice, chunk, count, grid.discharge[c].data(), discharge);
-          gather_value<c>(lattice, chunk, count, grid.soil_velocity[c].data(), gathered.value);
+          gather<c>(setup, chunk, walled, count, grid.discharge[c], discharge);
+          gather<c>(setup, chunk, walled, count, grid.soil_velocity[c], gathered.value);
           for (int l = 0; l < count; ++l) gathered.value[l] += discharge[l] / porosity[l];
         }
         const double inverse = 1 / lattice.spacing[c];
@@ -103,10 +143,7 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
           motion.drift = std::max(motion.drift, std::abs(displacement[c][l]) * inverse);
         }
       });
-      for (int a = 0; a < Space::axes; ++a)
-        move(water.position[a].data() + first, displacement[a], count,
-             (setup.water_box.low[a] + wall_gap) * lattice.spacing[a],
-             (setup.water_box.high[a] - wall_gap) * lattice.spacing[a]);
+      move_chunk(setup, setup.water_box, walled, first, count, displacement, water);
     }
     return motion;
   });
@@ -128,8 +165,9 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
       const int count = whole_groups(soil, first, end);
       chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
       for (int l = 0; l < count; ++l) cell[l] = cell_index(lattice, chunk, l);
+      const bool walled = beside_walls(setup.walls, lattice, chunk, count);
       over_components<Space>([&]<int c>() {
-        gather_component<c, true>(lattice, chunk, count, grid.soil_velocity[c].data(), gathered);
+        gather<c, true>(setup, chunk, walled, count, grid.soil_velocity[c], gathered);
         take_motion<c>(lattice, gathered, first, count, soil);
         for (int a = 0; a < Space::axes; ++a) {
           const double inverse = 1 / lattice.spacing[a];
@@ -142,10 +180,7 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
         }
       });
       motion.drift = motion.speed * dt;
-      for (int a = 0; a < Space::axes; ++a)
-        move(soil.position[a].data() + first, displacement[a], count,
-             (setup.soil_box.low[a] + wall_gap) * lattice.spacing[a],
-             (setup.soil_box.high[a] - wall_gap) * lattice.spacing[a]);
+      move_chunk(setup, setup.soil_box, walled, first, count, displacement, soil);
 
       for (int l = 0; l < count;) {
         int last = l;

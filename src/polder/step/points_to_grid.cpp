@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "polder/step/gather.hpp"
+#include "polder/step/wall_transfer.hpp"
 
 namespace polder {
 
@@ -96,6 +97,7 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
+    const bool walled = beside_walls(setup.walls, lattice, chunk, count);
     double volume[chunk_size];
     for (int l = 0; l < count; ++l) {
       const std::size_t p = first + l;
@@ -113,9 +115,7 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
       }
       std::array<double, 3> x{0, 0, 0};
       for (int d = 0; d < Space::axes; ++d) x[d] = soil.position[d][p];
-      const BoxOverlap<Space> box(lattice, x, half_edge<Space>(volume[l], cell_volume), setup.soil_box.low,
-                                  setup.soil_box.high);
-      box.over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
+      const auto add = [&](std::ptrdiff_t cell, double share) {
         grid.solid_volume[cell] += share * solid;
         grid.soil_cell_mass[cell] += share * soil.mass[p];
         grid.linear_drag[0][cell] += share * a[0];
@@ -124,11 +124,22 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
           grid.linear_drag[1][cell] += share * a[1];
           grid.quadratic_drag[1][cell] += share * b[1];
         }
-      });
+      };
+      const double half = half_edge<Space>(volume[l], cell_volume);
+      if (walled)
+        over_seen_cells(setup.walls, lattice, x, cell_places(chunk, l), half, setup.soil_box.low, setup.soil_box.high,
+                        add);
+      else
+        BoxOverlap<Space>(lattice, x, half, setup.soil_box.low, setup.soil_box.high).over_cells(lattice, add);
     }
     over_components<Space>([&]<int c>() {
-      scatter_component<c, true>(lattice, soil, soil.mass.data() + first, volume, first, count, chunk,
-                                 grid.soil_mass[c].data(), grid.soil_velocity[c].data(), grid.soil_force[c].data());
+      if (walled)
+        scatter_beside_walls<c, true>(setup.walls, lattice, soil, soil.mass.data() + first, volume, first, count, chunk,
+                                      grid.soil_mass[c].data(), grid.soil_velocity[c].data(),
+                                      grid.soil_force[c].data());
+      else
+        scatter_component<c, true>(lattice, soil, soil.mass.data() + first, volume, first, count, chunk,
+                                   grid.soil_mass[c].data(), grid.soil_velocity[c].data(), grid.soil_force[c].data());
     });
   });
 
@@ -153,6 +164,7 @@ void water_to_grid(const Setup<Space>& setup, const WaterPoints<Space>& water, c
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(water.position, first), count);
+    const bool walled = beside_walls(setup.walls, lattice, chunk, count);
     double mass[chunk_size];
     for (int l = 0; l < count; ++l) {
       const std::size_t p = first + l;
@@ -161,14 +173,21 @@ void water_to_grid(const Setup<Space>& setup, const WaterPoints<Space>& water, c
       for (int d = 0; d < Space::axes; ++d) x[d] = water.position[d][p];
       const std::ptrdiff_t own = cell_index(lattice, chunk, l);
       const double bulk = water.volume[p] / grid.cell_porosity[own];
-      const BoxOverlap<Space> box(lattice, x, std::max(0.1, half_edge<Space>(bulk, cell_volume)), setup.water_box.low,
-                                  setup.water_box.high);
-      box.over_cells(lattice,
-                     [&](std::ptrdiff_t cell, double share) { grid.water_volume[cell] += share * water.volume[p]; });
+      const double half = std::max(0.1, half_edge<Space>(bulk, cell_volume));
+      const auto add = [&](std::ptrdiff_t cell, double share) { grid.water_volume[cell] += share * water.volume[p]; };
+      if (walled)
+        over_seen_cells(setup.walls, lattice, x, cell_places(chunk, l), half, setup.water_box.low, setup.water_box.high,
+                        add);
+      else
+        BoxOverlap<Space>(lattice, x, half, setup.water_box.low, setup.water_box.high).over_cells(lattice, add);
     }
     over_components<Space>([&]<int c>() {
-      scatter_component<c, false>(lattice, water, mass, nullptr, first, count, chunk, grid.water_mass[c].data(),
-                                  grid.water_velocity[c].data(), nullptr);
+      if (walled)
+        scatter_beside_walls<c, false>(setup.walls, lattice, water, mass, nullptr, first, count, chunk,
+                                       grid.water_mass[c].data(), grid.water_velocity[c].data(), nullptr);
+      else
+        scatter_component<c, false>(lattice, water, mass, nullptr, first, count, chunk, grid.water_mass[c].data(),
+                                    grid.water_velocity[c].data(), nullptr);
     });
   });
 

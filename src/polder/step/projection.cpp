@@ -42,27 +42,33 @@ void assemble(const Setup<Space>& setup, const GridFields<Space>& grid, CellMatr
 }
 
 /// Carries component c of a face field `layers` layers beyond the faces where `known` is not 0, by the mean of the
-/// known neighbours. Returns where the field is known then.
+/// known neighbours on the same side of thin walls. Returns where the field is known then.
 template <class Space>
-const AlignedVector<std::uint8_t>& spread(const Lattice<Space>& lattice, int c,
+const AlignedVector<std::uint8_t>& spread(const Lattice<Space>& lattice, const ThinWalls<Space>& walls, int c,
                                           const AlignedVector<std::uint8_t>& known, int layers, Array& field,
                                           std::array<AlignedVector<std::uint8_t>, 2>& scratch, Team& team) {
   auto &before = scratch[0], &after = scratch[1];
   double* v = field.data();
   before = known;
+  // from a face to the one above it on axis a
+  const auto linked = [&](int a, std::ptrdiff_t f) {
+    if (!walls.any() || a == c) return true;
+    const std::ptrdiff_t s = lattice.stride[a];
+    return !walls.blocked(a, f + s) || !walls.blocked(a, f + s - lattice.stride[c]);
+  };
   for (int layer = 0; layer < layers; ++layer) {
     over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int j, int k) {
       for (int i = 0; i < count; ++i) {
         const std::ptrdiff_t f = first + i;
         after[f] = before[f];
-        if (before[f]) continue;
+        if (before[f] || walls.blocked(c, f)) continue;
         const int at[3] = {i, j, k};
         double sum = 0;
         int number = 0;
         for (int a = 0; a < Space::axes; ++a) {
           const std::ptrdiff_t s = lattice.stride[a];
-          if (at[a] > 0 && before[f - s]) sum += v[f - s], ++number;
-          if (at[a] < lattice.cells[a] - (a != c) && before[f + s]) sum += v[f + s], ++number;
+          if (at[a] > 0 && before[f - s] && linked(a, f - s)) sum += v[f - s], ++number;
+          if (at[a] < lattice.cells[a] - (a != c) && before[f + s] && linked(a, f)) sum += v[f + s], ++number;
         }
         if (number == 0) continue;
         v[f] = sum / number;
@@ -82,9 +88,10 @@ void extrapolate_soil(const Setup<Space>& setup, GridFields<Space>& grid, Team& 
   auto& known = grid.soil_known;
   for (int c = 0; c < Space::axes; ++c) {
     over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int, int) {
-      for (std::ptrdiff_t f = first; f < first + count; ++f) known[f] = grid.soil_mass[c][f] > 0;
+      for (std::ptrdiff_t f = first; f < first + count; ++f)
+        known[f] = grid.soil_mass[c][f] > 0 && !setup.walls.blocked(c, f);
     });
-    spread(lattice, c, known, 1, grid.soil_velocity[c], grid.layer, team);
+    spread(lattice, setup.walls, c, known, 1, grid.soil_velocity[c], grid.layer, team);
   }
 }
 
@@ -147,7 +154,8 @@ void extrapolate_water(const Setup<Space>& setup, GridFields<Space>& grid, FaceF
   const auto& lattice = setup.lattice;
   for (int c = 0; c < Space::axes; ++c) {
     double* v = field[c].data();
-    const AlignedVector<std::uint8_t>& filled = spread(lattice, c, grid.reached[c], 2, field[c], grid.layer, team);
+    const AlignedVector<std::uint8_t>& filled =
+        spread(lattice, setup.walls, c, grid.reached[c], 2, field[c], grid.layer, team);
     over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int j, int k) {
       for (int i = 0; i < count; ++i) {
         const std::ptrdiff_t f = first + i;
@@ -180,7 +188,8 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
       bool inside = true;
       for (int a = 0; a < Space::axes; ++a) {
         const std::ptrdiff_t s = lattice.stride[a];
-        inside = inside && (at[a] == 0 || grid.wet[cell - s]) && (at[a] == lattice.cells[a] - 1 || grid.wet[cell + s]);
+        inside = inside && (at[a] == 0 || setup.walls.blocked(a, cell) || grid.wet[cell - s]) &&
+                 (at[a] == lattice.cells[a] - 1 || setup.walls.blocked(a, cell + s) || grid.wet[cell + s]);
       }
       double error = grid.fill[cell] - 1;
       if (!inside) error = std::max(0.0, error);

@@ -7,6 +7,7 @@
 #include "polder/boundary/reservoir.hpp"
 #include "polder/case/model.hpp"
 #include "polder/grid/lattice.hpp"
+#include "polder/grid/thin_walls.hpp"
 #include "polder/grid/walls.hpp"
 #include "polder/material/drag.hpp"
 #include "polder/material/law.hpp"
@@ -26,6 +27,7 @@ template <class Space>
 struct Setup {
   Lattice<Space> lattice;
   PhaseBox soil_box, water_box;
+  ThinWalls<Space> walls;  ///< those that stand now
   std::vector<SoilMaterial> materials;
   WaterProperties water;
   std::vector<Reservoir<Space>> reservoirs;

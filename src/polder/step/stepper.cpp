@@ -75,7 +75,8 @@ void Stepper<Space>::resample() {
   rules.nominal = setup.nominal_point_volume();
   rules.points_per_cell = static_cast<int>(std::lround(std::pow(setup.points_per_axis, Space::axes)));
   rules.seed = setup.numerics.seed;
-  const std::size_t split = split_water(setup.lattice, grid.cell_porosity, rules, step, next_water_id, water);
+  const std::size_t split =
+      split_water(setup.lattice, grid.cell_porosity, rules, step, next_water_id, water, setup.walls);
   if (split > 0 || drift_water > largest_drift) {
     sort_points(setup.lattice, water, water_tiling_, team);
     drift_water = 0;

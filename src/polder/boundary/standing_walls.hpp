@@ -1,0 +1,42 @@
+#pragma once
+// The thin walls of a case that stand at a time; gates among them have vanished by then.
+#include <cmath>
+#include <vector>
+
+#include "polder/case/model.hpp"
+#include "polder/case/wall_line.hpp"
+#include "polder/grid/thin_walls.hpp"
+
+namespace polder {
+
+/// Whether the wall's own time has not come at `time`, to within round-off.
+inline bool stands_at(const WallInput& wall, double time) { return wall.until - time > 1e-9 * std::abs(time); }
+
+/// Which walls stand in stage number `stage` at time `time` (s; below 0 in initial stages).
+inline std::vector<bool> standing(const Model& model, std::size_t stage, double time) {
+  std::vector<bool> stands;
+  for (const WallInput& wall : model.walls)
+    stands.push_back(stands_at(wall, time) &&
+                     (wall.until_stage < 0 || stage < static_cast<std::size_t>(wall.until_stage)));
+  return stands;
+}
+
+/// The faces that those walls close; in 3d all across y.
+template <class Space>
+ThinWalls<Space> make_thin_walls(const Model& model, const Lattice<Space>& lattice, const std::vector<bool>& stands) {
+  ThinWalls<Space> walls(lattice);
+  for (std::size_t w = 0; w < model.walls.size(); ++w) {
+    if (!stands[w]) continue;
+    const WallInput& wall = model.walls[w];
+    for (const WallFace& face : stepped_wall(wall.line, {lattice.spacing[0], lattice.spacing[Space::up]}).faces)
+      for (int across = 0; across < (Space::axes == 3 ? lattice.cells[1] : 1); ++across) {
+        const std::array<int, 3> cell =
+            Space::axes == 3 ? std::array{face.i, across, face.j} : std::array{face.i, face.j, 0};
+        walls.close(face.upright ? 0 : Space::up, cell, wall.rough ? WallFaceKind::rough : WallFaceKind::smooth);
+      }
+  }
+  walls.finish();
+  return walls;
+}
+
+}  // namespace polder
