@@ -1,5 +1,5 @@
-// Walls thinner than a cell: nothing crosses them, the two sides do not feel each other, and seepage goes around the toe
-// as the exact solutions say (REFERENCES A13).
+// Walls thinner than a cell: nothing crosses them, the two sides do not feel each other, and seepage goes around the
+// toe as the exact solutions say (REFERENCES A13).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,8 @@ namespace polder {
 namespace {
 
 Model read_text(const std::string& text) {
-  const std::string path = testing::TempDir() + "/" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml";
+  const std::string path =
+      testing::TempDir() + "/" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml";
   std::ofstream(path) << text;
   const ReadResult result = read_case(path);
   EXPECT_TRUE(result.ok()) << format(result.diagnostics);
@@ -69,7 +70,8 @@ struct Seepage {
 Seepage around_wall(double cell, double left, double right, double excavated) {
   constexpr double s = 5, head = 4, conductivity = 1e-3;
   const double low = 10, high = low + excavated, outside = std::max(high + 1, low + 1 + head), inside = outside - head;
-  const Model model = read_text(fmt::format(R"(
+  const Model model =
+      read_text(fmt::format(R"(
 [model]
 size = [{0}, {1}]
 cell = {2}
@@ -105,8 +107,7 @@ line = [[{3}, 5], [{3}, {1}]]
 name = "steady"
 duration = "0.3 s"
 )",
-                                            left + right, outside + 1, cell, left, high, low, outside, inside,
-                                            left + 1e-6));
+                            left + right, outside + 1, cell, left, high, low, outside, inside, left + 1e-6));
   Simulation<PlaneStrain> run(model, 1);
   while (!run.finished()) run.advance();
   const auto& lattice = run.state().setup.lattice;

@@ -36,13 +36,15 @@ void check_wall(const WallInput& wall, const Fields& f, const Model& model, Diag
 
 void check_walls(const Sections& sections, const Model& model, Diagnostics& diagnostics) {
   const std::size_t up = model.space == SpaceKind::solid ? 2 : 1;
-  const bool has_grid = model.size[0] > 0 && model.size[up] > 0 && model.cell[0] > 0 && model.cell[up] > 0;
+  const auto fits = [&](std::size_t axis) {  // an unsound grid has been reported
+    return model.size[axis] > 0 && model.cell[axis] > 0 && model.size[axis] >= 0.5 * model.cell[axis];
+  };
   for (std::size_t i = 0; i < model.walls.size(); ++i) {
     const Fields& f = sections.walls[i];
     if (f.is_given("until") && f.is_given("until_stage"))
       report(diagnostics, f.place_of("until_stage"), f.path_of("until_stage"), "is given besides a time",
              "a wall vanishes once: keep one of until and until_stage");
-    if (has_grid && model.walls[i].line.size() >= 2) check_wall(model.walls[i], f, model, diagnostics);
+    if (fits(0) && fits(up) && model.walls[i].line.size() >= 2) check_wall(model.walls[i], f, model, diagnostics);
   }
 }
 

@@ -63,6 +63,7 @@ std::span<const Problem> problems();
 std::vector<Problem> rest_problems();
 std::vector<Problem> dam_break_problems();
 std::vector<Problem> seepage_problems();
+std::vector<Problem> sheet_pile_problems();
 std::vector<Problem> element_problems();
 
 }  // namespace polder::verify
