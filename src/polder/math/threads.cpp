@@ -9,7 +9,8 @@ constexpr int spins_before_sleep = 1500;
 }
 
 Team::Team(int threads)
-    : size_(threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {
+    : size_(threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))),
+      next_(static_cast<std::size_t>(size_)) {
   workers_.reserve(static_cast<std::size_t>(size_ - 1));
   for (int rank = 1; rank < size_; ++rank) workers_.emplace_back([this, rank] { work(rank); });
 }
