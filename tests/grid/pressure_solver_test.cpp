@@ -44,7 +44,7 @@ TEST(PressureSolver, ConvergesInFewIterations) {
     const Lattice<PlaneStrain> lattice({n, n, 1}, {1, 1, 1});
     auto solver = problem(lattice, 1);
     Array x = lattice.make_array();
-    const SolveResult result = solver.solve(x, 1e-6, 100, team);
+    const SolveResult result = solver.solve(ActiveRows(lattice, 1), x, 1e-6, 100, team);
     EXPECT_TRUE(result.converged);
     EXPECT_LE(result.iterations, 25) << n;
   }
@@ -56,7 +56,7 @@ TEST(PressureSolver, StandsLargeJumpsOfTheCoefficient) {
     const Lattice<PlaneStrain> lattice({96, 96, 1}, {1, 1, 1});
     auto solver = problem(lattice, contrast);
     Array x = lattice.make_array();
-    const SolveResult result = solver.solve(x, 1e-6, 200, team);
+    const SolveResult result = solver.solve(ActiveRows(lattice, 1), x, 1e-6, 200, team);
     EXPECT_TRUE(result.converged) << contrast;
     EXPECT_LE(result.iterations, 60) << contrast;
   }
@@ -70,7 +70,7 @@ void check_threads(const std::array<int, 3>& cells) {
     Team team(threads);
     auto solver = problem(lattice, 10);
     Array x = lattice.make_array();
-    EXPECT_TRUE(solver.solve(x, 1e-9, 100, team).converged);
+    EXPECT_TRUE(solver.solve(ActiveRows(lattice, 1), x, 1e-9, 100, team).converged);
     if (threads == 1)
       alone = x;
     else
@@ -83,12 +83,54 @@ TEST(PressureSolver, IsTheSameForAnyNumberOfThreads) {
   check_threads<Solid>({21, 18, 17});
 }
 
+/// Rows of which only [low, high) of each axis is active, and the problem there.
+template <class Space>
+ActiveRows<Space> part_of(const Lattice<Space>& lattice, int low, int high, PressureSolver<Space>& solver) {
+  ActiveRows rows(lattice, 1);
+  const auto whole = problem(lattice, 10);
+  for (std::ptrdiff_t row = 0; row < lattice.row_count(); ++row) {
+    const int j = static_cast<int>(row % lattice.cells[1]), k = static_cast<int>(row / lattice.cells[1]);
+    const bool inside = j >= low && j < high && (Space::axes == 2 || (k >= low && k < high));
+    rows.spans[row] = inside ? RowSpan{low, high} : RowSpan{};
+    for (int i = low; inside && i < high; ++i) {
+      const std::ptrdiff_t at = lattice.index(i, j, k);
+      const int place[3] = {i, j, k};
+      solver.matrix.diagonal[at] = whole.matrix.diagonal[at] + 1;
+      solver.right_side[at] = whole.right_side[at];
+      for (int a = 0; a < Space::axes; ++a)
+        solver.matrix.coupling[a][at] = place[a] > low ? whole.matrix.coupling[a][at] : 0;
+    }
+  }
+  rows.finish(1);
+  return rows;
+}
+
+template <class Space>
+void check_moving(const std::array<int, 3>& cells) {
+  const Lattice<Space> lattice(cells, {1, 1, 1});
+  PressureSolver<Space> solver(lattice);
+  for (const auto& [low, high] : {std::pair{3, 15}, std::pair{7, 17}, std::pair{0, 9}, std::pair{4, 5}}) {
+    PressureSolver<Space> fresh(lattice);
+    Array x = lattice.make_array(), y = lattice.make_array();
+    for (Team team(2); auto* solve : {&solver, &fresh}) {
+      const ActiveRows rows = part_of(lattice, low, high, *solve);
+      EXPECT_TRUE(solve->solve(rows, solve == &solver ? x : y, 1e-9, 100, team).converged);
+    }
+    EXPECT_EQ(x, y) << low << " to " << high;
+  }
+}
+
+TEST(PressureSolver, KeepsNothingOfRowsThatAreNoLongerActive) {
+  check_moving<PlaneStrain>({30, 18, 1});
+  check_moving<Solid>({21, 18, 17});
+}
+
 TEST(PressureSolver, SolvesWhatItSays) {
   const Lattice<Solid> lattice({9, 7, 8}, {1, 1, 1});
   auto solver = problem(lattice, 100);
   Team team(1);
   Array x = lattice.make_array();
-  ASSERT_TRUE(solver.solve(x, 1e-10, 200, team).converged);
+  ASSERT_TRUE(solver.solve(ActiveRows(lattice, 1), x, 1e-10, 200, team).converged);
   double worst = 0, largest = 0;
   for (std::ptrdiff_t row = 0; row < lattice.row_count(); ++row)
     for (int i = 0; i < lattice.cells[0]; ++i) {

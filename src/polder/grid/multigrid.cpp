@@ -39,6 +39,8 @@ Multigrid<Space>::Multigrid(const Lattice<Space>& lattice) {
       for (auto& a : colour.coupling) a.assign(size, 0.0F);
     }
     level.row_sum.assign(static_cast<std::size_t>(level.rows() * (cells[0] + 1)), 0.0F);
+    level.inside.resize(static_cast<std::size_t>(level.rows()));
+    level.touched = level.inside;
     levels_.push_back(std::move(level));
 
     const std::ptrdiff_t total = static_cast<std::ptrdiff_t>(cells[0]) * cells[1] * cells[2];
@@ -49,7 +51,34 @@ Multigrid<Space>::Multigrid(const Lattice<Space>& lattice) {
 
 template <class Space>
 bool Multigrid<Space>::shared(const Level& level) const {
-  return static_cast<std::ptrdiff_t>(level.cells[0]) * level.rows() >= cells_worth_sharing;
+  return level.cell_count >= cells_worth_sharing;
+}
+
+template <class Space>
+void Multigrid<Space>::spread_inside(const std::vector<RowSpan>& inside, int parts) {
+  for (std::size_t l = 0; l < levels_.size(); ++l) {
+    Level& level = levels_[l];
+    level.touched = level.inside;
+    if (l == 0) {
+      level.inside = inside;
+    } else {
+      const Level& fine = levels_[l - 1];
+      std::fill(level.inside.begin(), level.inside.end(), RowSpan{});
+      for (std::ptrdiff_t row = 0; row < fine.rows(); ++row) {
+        const RowSpan span = fine.inside[row];
+        if (span.count() == 0) continue;
+        const std::ptrdiff_t j = row % fine.cells[1], k = row / fine.cells[1];
+        RowSpan& coarse = level.inside[j / 2 + (axes == 3 ? k / 2 : 0) * level.cells[1]];
+        coarse = coarse.joined({span.begin / 2, (span.end + 1) / 2});
+      }
+    }
+    level.cell_count = 0;
+    for (std::size_t row = 0; row < level.inside.size(); ++row) {
+      level.cell_count += level.inside[row].count();
+      level.touched[row] = level.touched[row].joined(level.inside[row]);
+    }
+    deal_out(level.inside, parts, level.bounds);
+  }
 }
 
 template <class Space>
@@ -59,15 +88,14 @@ void Multigrid<Space>::colour_level(Level& level, const Array& diagonal, const s
     const std::ptrdiff_t from = natural_row(level, row), to = coloured_row(level, row);
     for (int c = 0; c < 2; ++c) {
       Colour& colour = level.colour[c];
-      const int q = c == 0 ? parity(level, row) : 1 - parity(level, row);
-      const std::ptrdiff_t count = (level.cells[0] - q + 1) / 2;
-      for (std::ptrdiff_t m = 0; m < count; ++m) {
+      const auto [begin, end, q] = colour_range(level, row, c, level.touched[row]);
+      for (std::ptrdiff_t m = begin; m < end; ++m) {
         const double d = diagonal[from + 2 * m + q];
         colour.diagonal[to + m] = static_cast<float>(d);
         colour.inverse[to + m] = d > 0 ? static_cast<float>(1 / d) : 0.0F;
       }
       for (int a = 0; a < axes; ++a)
-        for (std::ptrdiff_t m = 0; m < count; ++m)
+        for (std::ptrdiff_t m = begin; m < end; ++m)
           colour.coupling[a][to + m] = static_cast<float>(coupling[a][from + 2 * m + q]);
     }
   }
@@ -78,15 +106,17 @@ void Multigrid<Space>::coarsen(const Level& fine, const Array& diagonal, const s
                                Level& coarse, std::ptrdiff_t row0, std::ptrdiff_t row1) {
   const int nx = fine.cells[0];
   for (std::ptrdiff_t row = row0; row < row1; ++row) {
+    const RowSpan span = coarse.touched[row];
+    if (span.count() == 0) continue;
     const std::ptrdiff_t J = row % coarse.cells[1], K = row / coarse.cells[1];
     const std::ptrdiff_t to = natural_row(coarse, row);
     double* d = coarse.diagonal.data() + to;
     std::array<double*, axes> link{};
     for (int a = 0; a < axes; ++a) {
       link[a] = coarse.coupling[a].data() + to;
-      std::fill(link[a], link[a] + coarse.cells[0], 0.0);
+      std::fill(link[a] + span.begin, link[a] + span.end, 0.0);
     }
-    std::fill(d, d + coarse.cells[0], 0.0);
+    std::fill(d + span.begin, d + span.end, 0.0);
     for (std::ptrdiff_t k = 2 * K; k < std::min<std::ptrdiff_t>(2 * K + (axes == 3 ? 2 : 1), fine.cells[2]); ++k)
       for (std::ptrdiff_t j = 2 * J; j < std::min<std::ptrdiff_t>(2 * J + 2, fine.cells[1]); ++j) {
         const std::ptrdiff_t from = natural_row(fine, j + k * fine.cells[1]);
@@ -109,17 +139,17 @@ void Multigrid<Space>::coarsen(const Level& fine, const Array& diagonal, const s
           }
           return sum;
         };
-        std::ptrdiff_t I = 0;
-        for (; 2 * I + 1 < nx; ++I) {
+        std::ptrdiff_t I = span.begin;
+        for (; I < span.end && 2 * I + 1 < nx; ++I) {
           link[0][I] += fx[2 * I];
           d[I] += add(I, 2 * I) + add(I, 2 * I + 1) - 2 * fx[2 * I + 1];
         }
-        if (2 * I < nx) {
+        if (I < span.end) {
           link[0][I] += fx[2 * I];
           d[I] += add(I, 2 * I);
         }
       }
-    for (int I = 0; I < coarse.cells[0]; ++I) {
+    for (int I = span.begin; I < span.end; ++I) {
       d[I] *= coarse_scale;
       for (int a = 0; a < axes; ++a) link[a][I] *= coarse_scale;
     }
@@ -200,9 +230,8 @@ void Multigrid<Space>::smooth(Level& level, int c, bool from_zero, std::ptrdiff_
   Colour& mine = level.colour[c];
   const Colour& other = level.colour[1 - c];
   for (std::ptrdiff_t row = row0; row < row1; ++row) {
-    const std::ptrdiff_t at = coloured_row(level, row);
-    const int q = c == 0 ? parity(level, row) : 1 - parity(level, row);
-    const std::ptrdiff_t count = (level.cells[0] - q + 1) / 2;
+    const auto [begin, end, q] = colour_range(level, row, c, level.inside[row]);
+    const std::ptrdiff_t at = coloured_row(level, row) + begin, count = end - begin;
     float* __restrict x = mine.value.data() + at;
     const float* inverse = mine.inverse.data() + at;
     const float* b = mine.right_side.data() + at;
@@ -241,12 +270,15 @@ void Multigrid<Space>::restrict_to(Level& fine, Level& coarse, std::ptrdiff_t ro
   for (std::ptrdiff_t row = row0; row < row1; ++row) {
     const std::ptrdiff_t J = row % coarse.cells[1], K = row / coarse.cells[1];
     float* sum = coarse.row_sum.data() + row * (coarse.cells[0] + 1);
-    std::fill(sum, sum + coarse.cells[0], 0.0F);
+    const RowSpan span = coarse.inside[row];
+    if (span.count() == 0) continue;
+    std::fill(sum + span.begin, sum + span.end, 0.0F);
     for (std::ptrdiff_t k = 2 * K; k < std::min<std::ptrdiff_t>(2 * K + (axes == 3 ? 2 : 1), fine.cells[2]); ++k)
       for (std::ptrdiff_t j = 2 * J; j < std::min<std::ptrdiff_t>(2 * J + 2, fine.cells[1]); ++j) {
-        const std::ptrdiff_t fine_row = j + k * fine.cells[1], at = coloured_row(fine, fine_row);
-        const int q = parity(fine, fine_row);
-        const std::ptrdiff_t count = (fine.cells[0] - q + 1) / 2, dy = fine.row_step[1], dz = fine.row_step[2];
+        const std::ptrdiff_t fine_row = j + k * fine.cells[1];
+        const auto [begin, end, q] = colour_range(fine, fine_row, 0, fine.inside[fine_row]);
+        const std::ptrdiff_t at = coloured_row(fine, fine_row) + begin, count = end - begin;
+        const std::ptrdiff_t dy = fine.row_step[1], dz = fine.row_step[2];
         const float *x = red.value.data() + at, *b = red.right_side.data() + at, *d = red.diagonal.data() + at;
         const float *left = red.coupling[0].data() + at, *right = black.coupling[0].data() + at + q;
         const float *down = red.coupling[1].data() + at, *up = black.coupling[1].data() + at + dy;
@@ -257,15 +289,14 @@ void Multigrid<Space>::restrict_to(Level& fine, Level& coarse, std::ptrdiff_t ro
           float r =
               b[m] - d[m] * x[m] + left[m] * o[m - 1] + right[m] * o[m] + down[m] * oy[m - dy] + up[m] * oy[m + dy];
           if constexpr (axes == 3) r += back[m] * oy[m - dz] + front[m] * oy[m + dz];
-          sum[m] += r;
+          sum[begin + m] += r;
         }
       }
     const std::ptrdiff_t to = coloured_row(coarse, row);
     for (int c = 0; c < 2; ++c) {
-      const int q = c == 0 ? parity(coarse, row) : 1 - parity(coarse, row);
-      const std::ptrdiff_t count = (coarse.cells[0] - q + 1) / 2;
+      const auto [begin, end, q] = colour_range(coarse, row, c, span);
       float* b = coarse.colour[c].right_side.data() + to;
-      for (std::ptrdiff_t m = 0; m < count; ++m) b[m] = sum[2 * m + q];
+      for (std::ptrdiff_t m = begin; m < end; ++m) b[m] = sum[2 * m + q];
     }
   }
 }
@@ -276,33 +307,38 @@ void Multigrid<Space>::prolong_to(const Level& coarse, Level& fine, std::ptrdiff
     const std::ptrdiff_t j = row % fine.cells[1], k = row / fine.cells[1];
     const std::ptrdiff_t coarse_row = j / 2 + (k / (axes == 3 ? 2 : 1)) * coarse.cells[1];
     const std::ptrdiff_t from = coloured_row(coarse, coarse_row), to = coloured_row(fine, row);
-    const int P = parity(coarse, coarse_row), p = parity(fine, row);
+    const int P = parity(coarse, coarse_row);
     for (int c = 0; c < 2; ++c) {
-      const int q = c == 0 ? p : 1 - p;
-      const std::ptrdiff_t count = (fine.cells[0] - q + 1) / 2;
+      const auto [begin, end, q] = colour_range(fine, row, c, fine.inside[row]);
       float* x = fine.colour[c].value.data() + to;
       for (int C = 0; C < 2; ++C) {  // fine m lies in coarse cell m; coarse cell 2M + Q has colour C
         const int Q = C == 0 ? P : 1 - P;
         const float* e = coarse.colour[C].value.data() + from;
-        for (std::ptrdiff_t M = 0; 2 * M + Q < count; ++M) x[2 * M + Q] += e[M];
+        for (std::ptrdiff_t M = (begin - Q + 1) / 2; 2 * M + Q < end; ++M) x[2 * M + Q] += e[M];
       }
     }
   }
 }
 
 template <class Space>
-void Multigrid<Space>::build(const CellMatrix<Space>& matrix, Team& team, int rank) {
+void Multigrid<Space>::build(const CellMatrix<Space>& matrix, const std::vector<RowSpan>& inside, Team& team,
+                             int rank) {
+  if (rank == 0) spread_inside(inside, team.size());
+  team.barrier();
   for (std::size_t l = 0; l < levels_.size(); ++l) {
     Level& level = levels_[l];
     const Array& diagonal = l == 0 ? matrix.diagonal : level.diagonal;
     const auto& coupling = l == 0 ? matrix.coupling : level.coupling;
     const bool split = shared(level);
-    auto [row0, row1] = split ? team.part(level.rows(), rank) : std::pair{std::ptrdiff_t{0}, level.rows()};
-    if (split || rank == 0) colour_level(level, diagonal, coupling, row0, row1);
+    const auto my_rows = [&](const Level& of) {
+      return split ? std::pair{of.bounds[rank], of.bounds[rank + 1]} : std::pair{std::ptrdiff_t{0}, of.rows()};
+    };
+    const std::pair<std::ptrdiff_t, std::ptrdiff_t> rows = my_rows(level);
+    if (split || rank == 0) colour_level(level, diagonal, coupling, rows.first, rows.second);
     if (l + 1 < levels_.size()) {
       Level& coarse = levels_[l + 1];
-      auto [c0, c1] = split ? team.part(coarse.rows(), rank) : std::pair{std::ptrdiff_t{0}, coarse.rows()};
-      if (split || rank == 0) coarsen(level, diagonal, coupling, coarse, c0, c1);
+      const std::pair<std::ptrdiff_t, std::ptrdiff_t> coarse_rows = my_rows(coarse);
+      if (split || rank == 0) coarsen(level, diagonal, coupling, coarse, coarse_rows.first, coarse_rows.second);
       if (split) team.barrier();
     }
   }
@@ -333,8 +369,7 @@ void Multigrid<Space>::cycle(std::size_t l, Team& team, int rank) {
     team.barrier();
     return;
   }
-  const std::pair<std::ptrdiff_t, std::ptrdiff_t> part = team.part(level.rows(), rank);
-  const std::ptrdiff_t row0 = part.first, row1 = part.second;
+  const std::ptrdiff_t row0 = level.bounds[rank], row1 = level.bounds[rank + 1];
   const auto sweep = [&](int c, bool from_zero) {
     smooth(level, c, from_zero, row0, row1);
     team.barrier();
@@ -343,11 +378,11 @@ void Multigrid<Space>::cycle(std::size_t l, Team& team, int rank) {
   sweep(1, false);
   sweep(0, false);
   sweep(1, false);
-  const auto [c0, c1] = team.part(levels_[l + 1].rows(), rank);
-  restrict_to(level, levels_[l + 1], c0, c1);
+  const Level& coarse = levels_[l + 1];
+  restrict_to(level, levels_[l + 1], coarse.bounds[rank], coarse.bounds[rank + 1]);
   team.barrier();
   cycle(l + 1, team, rank);
-  prolong_to(levels_[l + 1], level, row0, row1);
+  prolong_to(coarse, level, row0, row1);
   team.barrier();
   for (const int c : {1, 0, 1, 0}) sweep(c, false);
 }
@@ -356,16 +391,15 @@ template <class Space>
 void Multigrid<Space>::apply(const Array& r, Array& z, double scale, Team& team, int rank) {
   Level& level = levels_[0];
   const bool split = shared(level);
-  const auto [row0, row1] =
-      split ? team.part(level.rows(), rank) : std::pair{std::ptrdiff_t{0}, rank == 0 ? level.rows() : 0};
+  const std::ptrdiff_t row0 = split ? level.bounds[rank] : 0;
+  const std::ptrdiff_t row1 = split ? level.bounds[rank + 1] : rank == 0 ? level.rows() : 0;
   for (std::ptrdiff_t row = row0; row < row1; ++row) {
     const std::ptrdiff_t from = natural_row(level, row), to = coloured_row(level, row);
     for (int c = 0; c < 2; ++c) {
-      const int q = c == 0 ? parity(level, row) : 1 - parity(level, row);
-      const std::ptrdiff_t count = (level.cells[0] - q + 1) / 2;
+      const auto [begin, end, q] = colour_range(level, row, c, level.inside[row]);
       float* b = level.colour[c].right_side.data() + to;
       const double* source = r.data() + from + q;
-      for (std::ptrdiff_t m = 0; m < count; ++m) b[m] = static_cast<float>(scale * source[2 * m]);
+      for (std::ptrdiff_t m = begin; m < end; ++m) b[m] = static_cast<float>(scale * source[2 * m]);
     }
   }
   team.barrier();
@@ -374,11 +408,10 @@ void Multigrid<Space>::apply(const Array& r, Array& z, double scale, Team& team,
   for (std::ptrdiff_t row = row0; row < row1; ++row) {
     const std::ptrdiff_t to = natural_row(level, row), from = coloured_row(level, row);
     for (int c = 0; c < 2; ++c) {
-      const int q = c == 0 ? parity(level, row) : 1 - parity(level, row);
-      const std::ptrdiff_t count = (level.cells[0] - q + 1) / 2;
+      const auto [begin, end, q] = colour_range(level, row, c, level.inside[row]);
       const float* x = level.colour[c].value.data() + from;
       double* target = z.data() + to + q;
-      for (std::ptrdiff_t m = 0; m < count; ++m) target[2 * m] = back * static_cast<double>(x[m]);
+      for (std::ptrdiff_t m = begin; m < end; ++m) target[2 * m] = back * static_cast<double>(x[m]);
     }
   }
   team.barrier();

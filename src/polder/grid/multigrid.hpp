@@ -13,7 +13,7 @@
 #include <array>
 #include <vector>
 
-#include "polder/grid/lattice.hpp"
+#include "polder/grid/active_rows.hpp"
 #include "polder/math/threads.hpp"
 
 namespace polder {
@@ -36,10 +36,11 @@ class Multigrid {
  public:
   explicit Multigrid(const Lattice<Space>& lattice);
 
-  /// Builds all levels from the matrix. Called by every thread of the team from inside Team::run.
-  void build(const CellMatrix<Space>& matrix, Team& team, int rank);
+  /// Builds all levels from the matrix, which is 0 outside `inside` (a span per row). Called by every thread of the team
+  /// from inside Team::run.
+  void build(const CellMatrix<Space>& matrix, const std::vector<RowSpan>& inside, Team& team, int rank);
 
-  /// z ≈ A⁻¹ r, scaled by `scale` on the way in (keeps single precision in range). From inside Team::run.
+  /// z ≈ A⁻¹ r inside, scaled by `scale` on the way in (keeps single precision in range). From inside Team::run.
   void apply(const Array& r, Array& z, double scale, Team& team, int rank);
 
   int level_count() const { return static_cast<int>(levels_.size()); }
@@ -63,6 +64,10 @@ class Multigrid {
     Array diagonal;  // natural, of coarse levels
     std::array<Array, axes> coupling;
     AlignedVector<float> row_sum;  // natural coarse rows while restricting
+    std::vector<RowSpan> inside;   // cells of the system, per row
+    std::vector<RowSpan> touched;  // and those of the last build, which this one has to clear
+    std::vector<std::ptrdiff_t> bounds;
+    std::ptrdiff_t cell_count = 0;  // inside
     std::ptrdiff_t rows() const { return static_cast<std::ptrdiff_t>(cells[1]) * cells[2]; }
   };
 
@@ -70,6 +75,7 @@ class Multigrid {
                     std::ptrdiff_t row1);
   void coarsen(const Level& fine, const Array& diagonal, const std::array<Array, axes>& coupling, Level& coarse,
                std::ptrdiff_t row0, std::ptrdiff_t row1);
+  void spread_inside(const std::vector<RowSpan>& inside, int parts);
   void factor_coarsest();
   void solve_coarsest();
   void smooth(Level& level, int colour, bool from_zero, std::ptrdiff_t row0, std::ptrdiff_t row1);
@@ -86,6 +92,15 @@ class Multigrid {
   std::ptrdiff_t natural_row(const Level& level, std::ptrdiff_t row) const {
     const std::ptrdiff_t j = row % level.cells[1], k = row / level.cells[1];
     return level.natural_origin + j * level.natural_stride[1] + k * level.natural_stride[2];
+  }
+  /// The cells 2m + q, begin ≤ m < end, that colour c has in a row's span.
+  struct ColourRange {
+    std::ptrdiff_t begin, end;
+    int q;
+  };
+  static ColourRange colour_range(const Level& level, std::ptrdiff_t row, int c, RowSpan span) {
+    const int q = c == 0 ? parity(level, row) : 1 - parity(level, row);
+    return {(span.begin - q + 1) / 2, (span.end - q + 1) / 2, q};
   }
   static int parity(const Level& level, std::ptrdiff_t row) {
     return static_cast<int>((row % level.cells[1] + row / level.cells[1]) & 1);

@@ -16,11 +16,14 @@ PressureSolver<Space>::PressureSolver(const Lattice<Space>& lattice)
       direction_(lattice.make_array()),
       product_(lattice.make_array()) {
   for (auto& p : partial_) p.assign(static_cast<std::size_t>(lattice.row_count()), 0.0);
+  inside_.resize(static_cast<std::size_t>(lattice.row_count()));
+  last_ = inside_;
 }
 
 template <class Space>
-void PressureSolver<Space>::multiply_row(const double* x, double* __restrict y, std::ptrdiff_t at) const {
-  const std::ptrdiff_t n = lattice_.cells[0], dy = lattice_.stride[1];
+void PressureSolver<Space>::multiply_row(const double* x, double* __restrict y, std::ptrdiff_t at,
+                                         std::ptrdiff_t n) const {
+  const std::ptrdiff_t dy = lattice_.stride[1];
   const double* d = matrix.diagonal.data() + at;
   const double* ax = matrix.coupling[0].data() + at;
   const double* ay = matrix.coupling[1].data() + at;
@@ -38,15 +41,17 @@ void PressureSolver<Space>::multiply_row(const double* x, double* __restrict y, 
   }
 }
 
-/// Σ over rows of term(index of the row's first cell), the rows' sums added in sequence by every thread.
+/// Σ over rows of term(index of the span's first cell, number of cells, row), the rows' sums added in sequence by every thread.
 template <class Space>
 template <class Term>
-double PressureSolver<Space>::sum_rows(Team& team, int rank, int slot, Term&& term) {
+double PressureSolver<Space>::sum_rows(const std::vector<RowSpan>& spans, const std::vector<std::ptrdiff_t>& bounds,
+                                       Team& team, int rank, int slot, Term&& term) {
   auto& partial = partial_[slot];
-  const auto [row0, row1] = team.part(lattice_.row_count(), rank);
-  for (std::ptrdiff_t row = row0; row < row1; ++row)
-    partial[row] =
-        term(lattice_.index(0, static_cast<int>(row % lattice_.cells[1]), static_cast<int>(row / lattice_.cells[1])));
+  for (std::ptrdiff_t row = bounds[rank]; row < bounds[rank + 1]; ++row) {
+    const int j = static_cast<int>(row % lattice_.cells[1]), k = static_cast<int>(row / lattice_.cells[1]);
+    const RowSpan span = spans[row];
+    partial[row] = span.count() > 0 ? term(lattice_.index(span.begin, j, k), span.count(), row) : 0.0;
+  }
   team.barrier();
   double sum = 0;
   for (const double p : partial) sum += p;
@@ -54,31 +59,67 @@ double PressureSolver<Space>::sum_rows(Team& team, int rank, int slot, Term&& te
 }
 
 template <class Space>
-SolveResult PressureSolver<Space>::solve(Array& x, double tolerance, int most_iterations, Team& team) {
-  if (lattice_.cell_count() < cells_worth_sharing) {
-    Team alone(1);
-    return solve_together(x, tolerance, most_iterations, alone);
+void PressureSolver<Space>::leave(const std::vector<RowSpan>& now) {
+  for (std::size_t row = 0; row < now.size(); ++row) {
+    const RowSpan before = last_[row], after = now[row];
+    if (before == after) continue;
+    const int j = static_cast<int>(static_cast<std::ptrdiff_t>(row) % lattice_.cells[1]);
+    const int k = static_cast<int>(static_cast<std::ptrdiff_t>(row) / lattice_.cells[1]);
+    for (int i = before.begin; i < before.end; ++i) {
+      if (i >= after.begin && i < after.end) continue;
+      const std::ptrdiff_t cell = lattice_.index(i, j, k);
+      matrix.diagonal[cell] = 0;
+      for (auto& coupling : matrix.coupling) coupling[cell] = 0;
+    }
   }
-  return solve_together(x, tolerance, most_iterations, team);
+  last_ = now;
 }
 
 template <class Space>
-SolveResult PressureSolver<Space>::solve_together(Array& x, double tolerance, int most_iterations, Team& team) {
+SolveResult PressureSolver<Space>::solve(const ActiveRows<Space>& rows, Array& x, double tolerance, int most_iterations,
+                                         Team& team) {
+  leave(rows.spans);
+  if (rows.cell_count < cells_worth_sharing) {
+    Team alone(1);
+    return solve_together(rows, x, tolerance, most_iterations, alone);
+  }
+  return solve_together(rows, x, tolerance, most_iterations, team);
+}
+
+template <class Space>
+SolveResult PressureSolver<Space>::solve_together(const ActiveRows<Space>& rows, Array& x, double tolerance,
+                                                  int most_iterations, Team& team) {
   SolveResult result;
-  const std::ptrdiff_t n = lattice_.cells[0];
+  std::vector<std::ptrdiff_t> all;
+  deal_out(rows.spans, team.size(), all);
+  std::fill(inside_.begin(), inside_.end(), RowSpan{});
   team.run([&](int rank) {
-    double bb = sum_rows(team, rank, 0, [&](std::ptrdiff_t at) {
+    const double bb = sum_rows(rows.spans, all, team, rank, 0, [&](std::ptrdiff_t at, int n, std::ptrdiff_t row) {
+      int begin = n, end = 0;
       double sum = 0;
-      for (std::ptrdiff_t i = at; i < at + n; ++i) {
-        const bool active = matrix.diagonal[i] > 0;
-        x[i] = active ? x[i] : 0;
-        right_side[i] = active ? right_side[i] : 0;
-        sum += right_side[i] * right_side[i];
+      for (int i = 0; i < n; ++i) {
+        const bool active = matrix.diagonal[at + i] > 0;
+        if (active) {
+          begin = std::min(begin, i);
+          end = i + 1;
+        }
+        x[at + i] = active ? x[at + i] : 0;
+        right_side[at + i] = active ? right_side[at + i] : 0;
+        sum += right_side[at + i] * right_side[at + i];
       }
+      const int origin = rows.spans[row].begin;
+      inside_[row] = end > begin ? RowSpan{origin + begin, origin + end} : RowSpan{};
       return sum;
     });
-    double rr = sum_rows(team, rank, 1, [&](std::ptrdiff_t at) {
-      multiply_row(x.data(), product_.data(), at);
+    std::vector<std::ptrdiff_t> bounds;
+    deal_out(inside_, team.size(), bounds);
+    const auto sum_inside = [&](int slot, auto&& term) {
+      return sum_rows(inside_, bounds, team, rank, slot, [&](std::ptrdiff_t at, int n, std::ptrdiff_t) {
+        return term(at, n);
+      });
+    };
+    double rr = sum_inside(1, [&](std::ptrdiff_t at, int n) {
+      multiply_row(x.data(), product_.data(), at, n);
       double sum = 0;
       for (std::ptrdiff_t i = at; i < at + n; ++i) {
         residual_[i] = right_side[i] - product_[i];
@@ -88,23 +129,23 @@ SolveResult PressureSolver<Space>::solve_together(Array& x, double tolerance, in
     });
     const double goal = tolerance * tolerance * bb + 1e-40;
     int iterations = 0;
-    if (rr > goal) multigrid_.build(matrix, team, rank);
+    if (rr > goal) multigrid_.build(matrix, inside_, team, rank);
     double rz = 0;
     while (rr > goal && iterations < most_iterations && std::isfinite(rr)) {
       multigrid_.apply(residual_, preconditioned_, 1 / std::sqrt(rr), team, rank);
-      const double rz_new = sum_rows(team, rank, 2, [&](std::ptrdiff_t at) {
+      const double rz_new = sum_inside(2, [&](std::ptrdiff_t at, int n) {
         double sum = 0;
         for (std::ptrdiff_t i = at; i < at + n; ++i) sum += residual_[i] * preconditioned_[i];
         return sum;
       });
       const double beta = iterations == 0 ? 0 : rz_new / rz;
       rz = rz_new;
-      sum_rows(team, rank, 3, [&](std::ptrdiff_t at) {
+      sum_inside(3, [&](std::ptrdiff_t at, int n) {
         for (std::ptrdiff_t i = at; i < at + n; ++i) direction_[i] = preconditioned_[i] + beta * direction_[i];
         return 0.0;
       });
-      const double dq = sum_rows(team, rank, 0, [&](std::ptrdiff_t at) {
-        multiply_row(direction_.data(), product_.data(), at);
+      const double dq = sum_inside(0, [&](std::ptrdiff_t at, int n) {
+        multiply_row(direction_.data(), product_.data(), at, n);
         double sum = 0;
         for (std::ptrdiff_t i = at; i < at + n; ++i) sum += direction_[i] * product_[i];
         return sum;
@@ -112,7 +153,7 @@ SolveResult PressureSolver<Space>::solve_together(Array& x, double tolerance, in
       ++iterations;
       if (!(dq > 0)) break;
       const double alpha = rz / dq;
-      rr = sum_rows(team, rank, 1, [&](std::ptrdiff_t at) {
+      rr = sum_inside(1, [&](std::ptrdiff_t at, int n) {
         double sum = 0;
         for (std::ptrdiff_t i = at; i < at + n; ++i) {
           x[i] += alpha * direction_[i];

@@ -18,20 +18,25 @@ class PressureSolver {
   CellMatrix<Space> matrix;
   Array right_side;
 
-  /// Solves matrix · x = right_side from the x given, to a residual of `tolerance`·‖right_side‖. Cells outside the
-  /// system end with x = 0.
-  SolveResult solve(Array& x, double tolerance, int most_iterations, Team& team);
+  /// Solves matrix · x = right_side from the x given, to a residual of `tolerance`·‖right_side‖, in the rows given,
+  /// where the caller has filled matrix and right side; elsewhere x is 0 and the matrix empty. Cells outside the system end with x = 0.
+  SolveResult solve(const ActiveRows<Space>& rows, Array& x, double tolerance, int most_iterations, Team& team);
 
  private:
-  SolveResult solve_together(Array& x, double tolerance, int most_iterations, Team& team);
-  void multiply_row(const double* x, double* y, std::ptrdiff_t at) const;
+  SolveResult solve_together(const ActiveRows<Space>& rows, Array& x, double tolerance, int most_iterations,
+                             Team& team);
+  void leave(const std::vector<RowSpan>& now);  // empties the matrix where it was filled once, but is no longer
+  void multiply_row(const double* x, double* y, std::ptrdiff_t at, std::ptrdiff_t n) const;
   template <class Term>
-  double sum_rows(Team& team, int rank, int slot, Term&& term);
+  double sum_rows(const std::vector<RowSpan>& spans, const std::vector<std::ptrdiff_t>& bounds, Team& team, int rank,
+                  int slot, Term&& term);
 
   Lattice<Space> lattice_;
   Multigrid<Space> multigrid_;
   Array residual_, preconditioned_, direction_, product_;
   std::array<std::vector<double>, 4> partial_;  // per row, one array per kind of sum
+  std::vector<RowSpan> inside_;                 // the cells of the system
+  std::vector<RowSpan> last_;                   // the rows of the last call
 };
 
 }  // namespace polder

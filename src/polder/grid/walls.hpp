@@ -60,6 +60,13 @@ void fold(Array& field, int component, bool motion, const PhaseBox& box, const L
   });
 }
 
+/// Clears what lies beyond the walls.
+template <class Space>
+void clear_beyond(Array& field, int component, const PhaseBox& box, const Lattice<Space>& lattice) {
+  detail::over_mirrors(component, false, box, lattice,
+                       [&](std::ptrdiff_t ghost, std::ptrdiff_t, double) { field[ghost] = 0; });
+}
+
 /// Fills what lies beyond the walls with its mirror image. Arguments as for fold().
 template <class Space>
 void reflect(Array& field, int component, bool motion, const PhaseBox& box, const Lattice<Space>& lattice) {

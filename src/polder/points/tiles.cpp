@@ -1,5 +1,6 @@
 #include "polder/points/tiles.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace polder {
@@ -75,6 +76,50 @@ void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t
   }
 }
 
+template <class Space>
+ActiveRows<Space> rows_near(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& soil_home,
+                            const AlignedVector<std::int32_t>& water_home, int threads) {
+  constexpr int width = Tiling<Space>::width;
+  const auto tiles = tiles_of(lattice);
+  ActiveRows<Space> rows(lattice, threads);
+  std::vector<RowSpan> occupied(rows.spans.size());
+  for (const auto* homes : {&soil_home, &water_home}) {
+    std::int32_t last = -1;
+    for (const std::int32_t home : *homes) {
+      if (home == last) continue;
+      last = home;
+      int tile = home / cells_in_tile<Space>, inner = home % cells_in_tile<Space>, cell[3] = {0, 0, 0};
+      for (int a = 0; a < Space::axes; ++a) {
+        cell[a] = tile % tiles[a] * width + inner % width;
+        tile /= tiles[a];
+        inner /= width;
+      }
+      RowSpan& span = occupied[static_cast<std::size_t>(cell[1] + cell[2] * lattice.cells[1])];
+      span = span.joined({cell[0], cell[0] + 1});
+    }
+  }
+  // a row takes what its neighbours within reach have, axis after axis
+  for (int axis = 1; axis < Space::axes; ++axis) {
+    const std::ptrdiff_t step = axis == 1 ? 1 : lattice.cells[1];
+    for (std::size_t row = 0; row < occupied.size(); ++row) {
+      const int place = static_cast<int>(static_cast<std::ptrdiff_t>(row) / step) % lattice.cells[axis];
+      RowSpan span;
+      for (int d = -std::min(reach, place); d <= std::min(reach, lattice.cells[axis] - 1 - place); ++d)
+        span = span.joined(occupied[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(row) + d * step)]);
+      rows.spans[row] = span;
+    }
+    occupied = rows.spans;
+  }
+  for (RowSpan& span : rows.spans)
+    if (span.count() > 0) span = {std::max(0, span.begin - reach), std::min(lattice.cells[0], span.end + reach)};
+  rows.finish(threads);
+  return rows;
+}
+
+template ActiveRows<PlaneStrain> rows_near(const Lattice<PlaneStrain>&, const AlignedVector<std::int32_t>&,
+                                           const AlignedVector<std::int32_t>&, int);
+template ActiveRows<Solid> rows_near(const Lattice<Solid>&, const AlignedVector<std::int32_t>&,
+                                     const AlignedVector<std::int32_t>&, int);
 template void tile_points(const Lattice<PlaneStrain>&, const AlignedVector<std::int32_t>&, Tiling<PlaneStrain>&);
 template void tile_points(const Lattice<Solid>&, const AlignedVector<std::int32_t>&, Tiling<Solid>&);
 template void sort_points(const Lattice<PlaneStrain>&, WaterPoints<PlaneStrain>&, Tiling<PlaneStrain>&, Team&);

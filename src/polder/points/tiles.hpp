@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "polder/grid/active_rows.hpp"
 #include "polder/math/threads.hpp"
 #include "polder/points/point_sets.hpp"
 
@@ -41,6 +42,15 @@ std::array<int, 3> cell_of(const Lattice<Space>& lattice, const std::array<doubl
 /// The tiles of points that are sorted, from their homes.
 template <class Space>
 void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& home, Tiling<Space>& tiling);
+
+/// How far from a point's home anything may happen in a step, in cells: half a cell of drift and half a cell of box make
+/// its neighbours wet, the faces of those carry velocities, extrapolated two layers on, and splines read one further.
+inline constexpr int reach = 6;
+
+/// The rows near points of either phase, sorted, dealt out to `threads`.
+template <class Space>
+ActiveRows<Space> rows_near(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& soil_home,
+                            const AlignedVector<std::int32_t>& water_home, int threads);
 
 /// Sorts the points by tile, then cell, stable within a cell; sets `home`.
 template <class Space, class Points>

@@ -1,44 +1,49 @@
 #pragma once
-// Loops over the faces and cells of a lattice, row by row, rows shared out over the team.
-#include "polder/grid/lattice.hpp"
+// Loops over the active faces and cells of a lattice, row by row, rows shared out over the team.
+#include "polder/grid/active_rows.hpp"
 #include "polder/math/threads.hpp"
 
 namespace polder {
 
-/// Shares `rows` rows out over the team where the grid is large enough to gain by it.
+/// body(first row, one past the last) on every thread that has rows, or once where sharing does not pay.
 template <class Space, class Body>
-void share_rows(const Lattice<Space>& lattice, std::ptrdiff_t rows, Team& team, Body&& body) {
-  if (lattice.cell_count() < cells_worth_sharing)
-    body(std::ptrdiff_t{0}, rows);
+void share_rows(const ActiveRows<Space>& rows, Team& team, Body&& body) {
+  if (rows.cell_count < cells_worth_sharing || team.size() == 1)
+    body(std::ptrdiff_t{0}, static_cast<std::ptrdiff_t>(rows.spans.size()));
   else
-    team.share(rows, body);
+    team.run([&](int rank) { body(rows.bounds[rank], rows.bounds[rank + 1]); });
 }
 
-/// body(index of the row's first face, number of faces, j, k) for every row of faces of component c, walls included.
+/// body(index of the first face, number of faces, place of the first one) for every active row of faces of component c,
+/// walls included. A place counts cells from the lattice's corner.
 template <class Space, class Body>
-void over_face_rows(const Lattice<Space>& lattice, int c, Team& team, Body&& body) {
-  const int nx = lattice.cells[0] + (c == 0), ny = lattice.cells[1] + (c == 1);
-  const int nz = Space::axes == 3 ? lattice.cells[2] + (c == 2) : 1;
-  share_rows(lattice, static_cast<std::ptrdiff_t>(ny) * nz, team, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+void over_face_rows(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, int c, Team& team, Body&& body) {
+  share_rows(rows, team, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     for (std::ptrdiff_t row = begin; row < end; ++row) {
-      const int j = static_cast<int>(row % ny), k = static_cast<int>(row / ny);
-      body(lattice.index(0, j, k), nx, j, k);
-    }
-  });
-}
-
-/// body(index of the row's first cell, j, k) for every row of cells.
-template <class Space, class Body>
-void over_cell_rows(const Lattice<Space>& lattice, Team& team, Body&& body) {
-  share_rows(lattice, lattice.row_count(), team, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-    for (std::ptrdiff_t row = begin; row < end; ++row) {
+      const RowSpan span = rows.spans[row];
+      if (span.count() == 0) continue;
       const int j = static_cast<int>(row % lattice.cells[1]), k = static_cast<int>(row / lattice.cells[1]);
-      body(lattice.index(0, j, k), j, k);
+      const auto visit = [&](int y, int z) {
+        body(lattice.index(span.begin, y, z), span.count() + (c == 0), std::array<int, 3>{span.begin, y, z});
+      };
+      visit(j, k);  // and with the last row of cells, the faces beyond it
+      if (c == 1 && j == lattice.cells[1] - 1) visit(j + 1, k);
+      if (Space::axes == 3 && c == 2 && k == lattice.cells[2] - 1) visit(j, k + 1);
     }
   });
 }
 
-/// Where a face stands on its own axis: 0 … cells. `i` along x.
-inline int place_on_axis(int c, int i, int j, int k) { return c == 0 ? i : c == 1 ? j : k; }
+/// body(index of the first cell, number of cells, place of the first one) for every active row of cells.
+template <class Space, class Body>
+void over_cell_rows(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, Team& team, Body&& body) {
+  share_rows(rows, team, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    for (std::ptrdiff_t row = begin; row < end; ++row) {
+      const RowSpan span = rows.spans[row];
+      if (span.count() == 0) continue;
+      const int j = static_cast<int>(row % lattice.cells[1]), k = static_cast<int>(row / lattice.cells[1]);
+      body(lattice.index(span.begin, j, k), span.count(), std::array<int, 3>{span.begin, j, k});
+    }
+  });
+}
 
 }  // namespace polder

@@ -68,10 +68,10 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
     double* before = grid.soil_before[c].data();
     std::uint8_t* reached = grid.reached[c].data();
 
-    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int j, int k) {
+    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
       for (int i = 0; i < count; ++i) {
         const std::ptrdiff_t f = first + i, low = f - s;
-        const int place = place_on_axis(c, i, j, k);
+        const int place = c == 0 ? at[0] + i : at[c];
         const bool end = place == 0 || place == lattice.cells[c];
         const bool wall = end || setup.walls.blocked(c, f);
         const bool both_wet = grid.wet[low] && grid.wet[f], beside_wet = grid.wet[low] || grid.wet[f];
@@ -133,7 +133,7 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
 template <class Space>
 void damp_locally(const Setup<Space>& setup, double factor, GridFields<Space>& grid, Team& team) {
   for (int c = 0; c < Space::axes; ++c)
-    over_face_rows(setup.lattice, c, team, [&](std::ptrdiff_t first, int count, int, int) {
+    over_face_rows(setup.lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {
       for (std::ptrdiff_t f = first; f < first + count; ++f) {
         double& v = grid.soil_velocity[c][f];
         const double change = grid.soil_mass[c][f] > 0 ? v - grid.soil_before[c][f] : 0;
@@ -147,7 +147,7 @@ void update_discharge(const Setup<Space>& setup, GridFields<Space>& grid, Team& 
   const auto& lattice = setup.lattice;
   for (int c = 0; c < Space::axes; ++c) {
     const std::ptrdiff_t s = lattice.stride[c];
-    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int, int) {
+    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {
       for (std::ptrdiff_t f = first; f < first + count; ++f) {
         grid.discharge[c][f] = grid.porosity[c][f] * (grid.water_velocity[c][f] - grid.soil_velocity[c][f]);
         if (grid.soil_mass[c][f] <= 0) {

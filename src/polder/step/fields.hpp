@@ -1,8 +1,9 @@
 #pragma once
 // Everything that lives on the grid during a step. Names follow docs/theory.md; per phase and per component.
+#include <algorithm>
 #include <cstdint>
 
-#include "polder/grid/lattice.hpp"
+#include "polder/grid/active_rows.hpp"
 #include "polder/grid/walls.hpp"
 
 namespace polder {
@@ -10,7 +11,8 @@ namespace polder {
 template <class Space>
 struct GridFields {
   explicit GridFields(const Lattice<Space>& lattice)
-      : soil_mass(make_face_field(lattice)),
+      : rows(lattice, 1),
+        soil_mass(make_face_field(lattice)),
         soil_velocity(make_face_field(lattice)),
         soil_force(make_face_field(lattice)),
         soil_before(make_face_field(lattice)),
@@ -36,7 +38,14 @@ struct GridFields {
         layer{wet, wet},
         soil_known(wet) {
     for (auto& v : reached) v = wet;
+    for (auto& n : porosity) std::fill(n.begin(), n.end(), 1.0);
+    std::fill(cell_porosity.begin(), cell_porosity.end(), 1.0);
   }
+
+  /// Makes `now` the active rows. What is active no longer goes back to rest: no points, no motion, no pressure.
+  void activate(const Lattice<Space>& lattice, ActiveRows<Space> now);
+
+  ActiveRows<Space> rows;  ///< where the step works; elsewhere everything is at rest
 
   // on faces
   FaceField<Space> soil_mass;       ///< kg

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "polder/step/face_loop.hpp"
 #include "polder/step/gather.hpp"
 #include "polder/step/wall_transfer.hpp"
 
@@ -61,12 +62,16 @@ void scatter_component(const Lattice<Space>& lattice, const Points& points, cons
   }
 }
 
+/// Clears face fields where points may write.
 template <class Space>
-void clear_faces(FaceField<Space>& field, Team& team) {
-  for (auto& component : field)
-    team.share(static_cast<std::ptrdiff_t>(component.size()), [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-      std::fill(component.begin() + begin, component.begin() + end, 0.0);
+void clear_faces(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, const PhaseBox& box,
+                 std::initializer_list<FaceField<Space>*> fields, Team& team) {
+  for (int c = 0; c < Space::axes; ++c) {
+    over_face_rows(lattice, rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {
+      for (auto* field : fields) std::fill_n((*field)[c].begin() + first, count, 0.0);
     });
+    for (auto* field : fields) clear_beyond((*field)[c], c, box, lattice);
+  }
 }
 
 /// Runs body(first point, count) over chunks of every tile, colour after colour.
@@ -86,12 +91,12 @@ template <class Space>
 void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
                   GridFields<Space>& grid, Team& team) {
   const auto& lattice = setup.lattice;
-  clear_faces<Space>(grid.soil_mass, team);
-  clear_faces<Space>(grid.soil_velocity, team);
-  clear_faces<Space>(grid.soil_force, team);
-  for (auto* field : {&grid.solid_volume, &grid.soil_cell_mass, &grid.linear_drag[0], &grid.linear_drag[1],
-                      &grid.quadratic_drag[0], &grid.quadratic_drag[1]})
-    std::fill(field->begin(), field->end(), 0.0);
+  clear_faces<Space>(lattice, grid.rows, setup.soil_box, {&grid.soil_mass, &grid.soil_velocity, &grid.soil_force}, team);
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+    for (auto* field : {&grid.solid_volume, &grid.soil_cell_mass, &grid.linear_drag[0], &grid.linear_drag[1],
+                        &grid.quadratic_drag[0], &grid.quadratic_drag[1]})
+      std::fill_n(field->begin() + first, count, 0.0);
+  });
   const double cell_volume = lattice.cell_volume();
 
   over_chunks(tiling, team, [&](std::size_t first, int count) {
@@ -148,17 +153,20 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
     fold(grid.soil_velocity[c], c, true, setup.soil_box, lattice);
     fold(grid.soil_force[c], c, true, setup.soil_box, lattice);
   }
-  for (std::size_t cell = 0; cell < grid.cell_porosity.size(); ++cell)
-    grid.cell_porosity[cell] = std::max(0.2, 1 - grid.solid_volume[cell] / cell_volume);
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+    for (std::ptrdiff_t cell = first; cell < first + count; ++cell)
+      grid.cell_porosity[cell] = std::max(0.2, 1 - grid.solid_volume[cell] / cell_volume);
+  });
 }
 
 template <class Space>
 void water_to_grid(const Setup<Space>& setup, const WaterPoints<Space>& water, const Tiling<Space>& tiling,
                    GridFields<Space>& grid, Team& team) {
   const auto& lattice = setup.lattice;
-  clear_faces<Space>(grid.water_mass, team);
-  clear_faces<Space>(grid.water_velocity, team);
-  std::fill(grid.water_volume.begin(), grid.water_volume.end(), 0.0);
+  clear_faces<Space>(lattice, grid.rows, setup.water_box, {&grid.water_mass, &grid.water_velocity}, team);
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+    std::fill_n(grid.water_volume.begin() + first, count, 0.0);
+  });
   const double cell_volume = lattice.cell_volume(), density = setup.water.density;
 
   over_chunks(tiling, team, [&](std::size_t first, int count) {
@@ -195,10 +203,12 @@ void water_to_grid(const Setup<Space>& setup, const WaterPoints<Space>& water, c
     fold(grid.water_mass[c], c, false, setup.water_box, lattice);
     fold(grid.water_velocity[c], c, true, setup.water_box, lattice);
   }
-  for (std::size_t cell = 0; cell < grid.fill.size(); ++cell) {
-    grid.fill[cell] = grid.water_volume[cell] / (grid.cell_porosity[cell] * cell_volume);
-    grid.wet[cell] = grid.fill[cell] > setup.numerics.wet_threshold;
-  }
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+    for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
+      grid.fill[cell] = grid.water_volume[cell] / (grid.cell_porosity[cell] * cell_volume);
+      grid.wet[cell] = grid.fill[cell] > setup.numerics.wet_threshold;
+    }
+  });
 }
 
 template void soil_to_grid(const Setup<PlaneStrain>&, const SoilPoints<PlaneStrain>&, const Tiling<PlaneStrain>&,

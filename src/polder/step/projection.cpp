@@ -16,8 +16,8 @@ void assemble(const Setup<Space>& setup, const GridFields<Space>& grid, CellMatr
   const auto& lattice = setup.lattice;
   std::array<double, 3> scale{};
   for (int a = 0; a < Space::axes; ++a) scale[a] = lattice.cell_volume() / (lattice.spacing[a] * lattice.spacing[a]);
-  over_cell_rows(lattice, team, [&](std::ptrdiff_t first, int, int) {
-    for (std::ptrdiff_t cell = first; cell < first + lattice.cells[0]; ++cell) {
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+    for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
       for (int a = 0; a < Space::axes; ++a) matrix.coupling[a][cell] = 0;
       matrix.diagonal[cell] = 0;
       if (!grid.wet[cell]) continue;
@@ -41,28 +41,29 @@ void assemble(const Setup<Space>& setup, const GridFields<Space>& grid, CellMatr
   });
 }
 
-/// Carries component c of a face field `layers` layers beyond the faces where `known` is not 0, by the mean of the
-/// known neighbours on the same side of thin walls. Returns where the field is known then.
+/// Carries component c of a face field `layers` (1 or 2) layers beyond the faces where `known` is not 0, by the mean of
+/// the known neighbours on the same side of thin walls. Returns where the field is known then.
 template <class Space>
 const AlignedVector<std::uint8_t>& spread(const Lattice<Space>& lattice, const ThinWalls<Space>& walls, int c,
                                           const AlignedVector<std::uint8_t>& known, int layers, Array& field,
-                                          std::array<AlignedVector<std::uint8_t>, 2>& scratch, Team& team) {
-  auto &before = scratch[0], &after = scratch[1];
+                                          GridFields<Space>& grid, Team& team) {
   double* v = field.data();
-  before = known;
   // from a face to the one above it on axis a
   const auto linked = [&](int a, std::ptrdiff_t f) {
     if (!walls.any() || a == c) return true;
     const std::ptrdiff_t s = lattice.stride[a];
     return !walls.blocked(a, f + s) || !walls.blocked(a, f + s - lattice.stride[c]);
   };
+  const AlignedVector<std::uint8_t>* reached = &known;
   for (int layer = 0; layer < layers; ++layer) {
-    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int j, int k) {
+    const std::uint8_t* before = reached->data();
+    std::uint8_t* after = grid.layer[layer].data();
+    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
       for (int i = 0; i < count; ++i) {
         const std::ptrdiff_t f = first + i;
         after[f] = before[f];
         if (before[f] || walls.blocked(c, f)) continue;
-        const int at[3] = {i, j, k};
+        const int at[3] = {place[0] + i, place[1], place[2]};
         double sum = 0;
         int number = 0;
         for (int a = 0; a < Space::axes; ++a) {
@@ -75,9 +76,9 @@ const AlignedVector<std::uint8_t>& spread(const Lattice<Space>& lattice, const T
         after[f] = 1;
       }
     });
-    before.swap(after);
+    reached = &grid.layer[layer];
   }
-  return before;
+  return *reached;
 }
 
 }  // namespace
@@ -87,11 +88,11 @@ void extrapolate_soil(const Setup<Space>& setup, GridFields<Space>& grid, Team& 
   const auto& lattice = setup.lattice;
   auto& known = grid.soil_known;
   for (int c = 0; c < Space::axes; ++c) {
-    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int, int) {
+    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {
       for (std::ptrdiff_t f = first; f < first + count; ++f)
         known[f] = grid.soil_mass[c][f] > 0 && !setup.walls.blocked(c, f);
     });
-    spread(lattice, setup.walls, c, known, 1, grid.soil_velocity[c], grid.layer, team);
+    spread(lattice, setup.walls, c, known, 1, grid.soil_velocity[c], grid, team);
   }
 }
 
@@ -107,8 +108,8 @@ SolveResult project(const Setup<Space>& setup, double dt, GridFields<Space>& gri
       setup, grid, solver.matrix, team, [&](int a, std::ptrdiff_t f) { return grid.mobility[a][f]; }, distance,
       [&](std::ptrdiff_t cell) { return storage * grid.cell_porosity[cell]; });
 
-  over_cell_rows(lattice, team, [&](std::ptrdiff_t first, int, int) {
-    for (std::ptrdiff_t cell = first; cell < first + lattice.cells[0]; ++cell) {
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+    for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
       if (!grid.wet[cell]) {
         solver.right_side[cell] = 0;
         continue;
@@ -124,12 +125,12 @@ SolveResult project(const Setup<Space>& setup, double dt, GridFields<Space>& gri
       solver.right_side[cell] = storage * grid.cell_porosity[cell] * grid.pressure[cell] - divergence;
     }
   });
-  const SolveResult result = solver.solve(grid.pressure, setup.numerics.pressure_tolerance, 400, team);
+  const SolveResult result = solver.solve(grid.rows, grid.pressure, setup.numerics.pressure_tolerance, 400, team);
 
   for (int c = 0; c < Space::axes; ++c) {
     const std::ptrdiff_t s = lattice.stride[c];
     const double inverse = 1 / lattice.spacing[c];
-    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int, int) {
+    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {
       for (std::ptrdiff_t f = first; f < first + count; ++f) {
         if (!grid.reached[c][f] || grid.mobility[c][f] <= 0) continue;
         const std::ptrdiff_t low = f - s;
@@ -155,11 +156,11 @@ void extrapolate_water(const Setup<Space>& setup, GridFields<Space>& grid, FaceF
   for (int c = 0; c < Space::axes; ++c) {
     double* v = field[c].data();
     const AlignedVector<std::uint8_t>& filled =
-        spread(lattice, setup.walls, c, grid.reached[c], 2, field[c], grid.layer, team);
-    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int j, int k) {
+        spread(lattice, setup.walls, c, grid.reached[c], 2, field[c], grid, team);
+    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
       for (int i = 0; i < count; ++i) {
         const std::ptrdiff_t f = first + i;
-        const int place = place_on_axis(c, i, j, k);
+        const int place = c == 0 ? at[0] + i : at[c];
         const bool beyond = !filled[f] && !(keep_ballistic && grid.water_mass[c][f] > 0);
         if (beyond || place == 0 || place == lattice.cells[c]) v[f] = 0;
       }
@@ -178,13 +179,13 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
       [](std::ptrdiff_t, std::ptrdiff_t) { return 0.5; }, [](std::ptrdiff_t) { return 0.0; });
   const double volume = lattice.cell_volume();
   const double floor = 1e-6 * volume / (lattice.smallest_spacing() * lattice.smallest_spacing());
-  over_cell_rows(lattice, team, [&](std::ptrdiff_t first, int j, int k) {
-    for (int i = 0; i < lattice.cells[0]; ++i) {
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+    for (int i = 0; i < count; ++i) {
       const std::ptrdiff_t cell = first + i;
       grid.potential[cell] = solver.right_side[cell] = 0;
       if (!grid.wet[cell]) continue;
       if (solver.matrix.diagonal[cell] > 0) solver.matrix.diagonal[cell] += floor;
-      const int at[3] = {i, j, k};
+      const int at[3] = {place[0] + i, place[1], place[2]};
       bool inside = true;
       for (int a = 0; a < Space::axes; ++a) {
         const std::ptrdiff_t s = lattice.stride[a];
@@ -197,12 +198,12 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
           setup.numerics.volume_correction * grid.cell_porosity[cell] * volume * std::clamp(error, -0.5, 0.5);
     }
   });
-  const SolveResult result = solver.solve(grid.potential, 1e-2, 60, team);
+  const SolveResult result = solver.solve(grid.rows, grid.potential, 1e-2, 60, team);
 
   for (int c = 0; c < Space::axes; ++c) {
     const std::ptrdiff_t s = lattice.stride[c];
     const double h = lattice.spacing[c];
-    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int, int) {
+    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {
       for (std::ptrdiff_t f = first; f < first + count; ++f) {
         double d = 0;
         if (grid.reached[c][f] && !closed(c, f)) {
@@ -217,7 +218,7 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
   }
   extrapolate_water(setup, grid, grid.shift, false, team);
   for (int c = 0; c < Space::axes; ++c) {
-    over_face_rows(lattice, c, team, [&](std::ptrdiff_t first, int count, int, int) {
+    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {
       for (std::ptrdiff_t f = first; f < first + count; ++f)
         if (closed(c, f)) grid.shift[c][f] = 0;
     });

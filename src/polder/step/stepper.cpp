@@ -50,20 +50,29 @@ double Stepper<Space>::natural_step() const {
 }
 
 template <class Space>
-void Stepper<Space>::sort_if_drifted() {
-  if (unsorted_ || drift_water > largest_drift) {
-    sort_points(setup.lattice, water, water_tiling_, team);
-    drift_water = 0;
-  }
+void Stepper<Space>::sort_water() {
+  sort_points(setup.lattice, water, water_tiling_, team);
+  drift_water = 0;
+  rows_stale_ = true;
+}
+
+template <class Space>
+void Stepper<Space>::prepare() {
+  if (unsorted_ || drift_water > largest_drift) sort_water();
   if (unsorted_ || drift_soil > largest_drift) {
     sort_points(setup.lattice, soil, soil_tiling_, team);
     drift_soil = 0;
+    rows_stale_ = true;
   }
   unsorted_ = 0;
+  if (!rows_stale_) return;
+  grid.activate(setup.lattice, rows_near(setup.lattice, soil.home, water.home, team.size()));
+  rows_stale_ = false;
 }
 
 template <class Space>
 void Stepper<Space>::restored() {
+  rows_stale_ = true;
   if (unsorted_) return;
   tile_points(setup.lattice, soil.home, soil_tiling_);
   tile_points(setup.lattice, water.home, water_tiling_);
@@ -78,10 +87,8 @@ void Stepper<Space>::resample() {
   const std::size_t split =
       split_water(setup.lattice, grid.cell_porosity, rules, step, next_water_id, water, setup.walls);
   if (split > 0 || drift_water > largest_drift) {
-    sort_points(setup.lattice, water, water_tiling_, team);
-    drift_water = 0;
-    if (merge_water(setup.lattice, grid.cell_porosity, rules, water) > 0)
-      sort_points(setup.lattice, water, water_tiling_, team);
+    sort_water();
+    if (merge_water(setup.lattice, grid.cell_porosity, rules, water) > 0) sort_water();
   }
 }
 
@@ -91,7 +98,7 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   report.dt = dt;
   Stopwatch watch;
 
-  sort_if_drifted();
+  prepare();
   watch.lap(times.sort);
 
   soil_to_grid(setup, soil, soil_tiling_, grid, team);
@@ -129,10 +136,7 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   watch.lap(times.to_points);
 
   if (!setup.reservoirs.empty()) exchanged = exchange_with_reservoirs(setup, control.time, grid, next_water_id, water);
-  if (!exchanged.empty()) {
-    sort_points(setup.lattice, water, water_tiling_, team);
-    drift_water = 0;
-  }
+  if (!exchanged.empty()) sort_water();
   ++step;
   if (setup.numerics.split_water && soil.size() > 0 && step % resample_every == 0) resample();
   watch.lap(times.resample);

@@ -65,12 +65,14 @@ class Stepper {
   Team team;
 
  private:
-  void sort_if_drifted();
+  void sort_water();
+  void prepare();  // sorts what has drifted and finds the active rows
   void resample();
 
   Tiling<Space> soil_tiling_, water_tiling_;
   PressureSolver<Space> solver_;
   std::uint64_t unsorted_ = 1;
+  bool rows_stale_ = true;  // points were sorted since the active rows were found
 };
 
 }  // namespace polder
