@@ -10,6 +10,7 @@ namespace polder {
 namespace {
 constexpr double coarse_scale = 1 / 1.8;
 constexpr std::ptrdiff_t coarsest_cells = 40;
+constexpr std::ptrdiff_t lanes = 8;
 }  // namespace
 
 template <class Space>
@@ -29,7 +30,7 @@ Multigrid<Space>::Multigrid(const Lattice<Space>& lattice) {
       level.diagonal.assign(size, 0.0);
       for (auto& a : level.coupling) a.assign(size, 0.0);
     }
-    level.row_length = ((cells[0] + 1) / 2 + 2 + 7) / 8 * 8;
+    level.row_length = ((cells[0] + 1) / 2 + 7) / 8 * 8 + 8;
     level.row_step = {0, level.row_length, axes == 3 ? level.row_length * (cells[1] + 2) : 0};
     level.first_row = 1 + level.row_step[1] + level.row_step[2];
     const std::size_t size =
@@ -38,7 +39,7 @@ Multigrid<Space>::Multigrid(const Lattice<Space>& lattice) {
       for (auto* a : {&colour.inverse, &colour.diagonal, &colour.right_side, &colour.value}) a->assign(size, 0.0F);
       for (auto& a : colour.coupling) a.assign(size, 0.0F);
     }
-    level.row_sum.assign(static_cast<std::size_t>(level.rows() * (cells[0] + 1)), 0.0F);
+    level.row_sum.assign(static_cast<std::size_t>(level.rows() * sum_length(level)), 0.0F);
     level.inside.resize(static_cast<std::size_t>(level.rows()));
     level.touched = level.inside;
     levels_.push_back(std::move(level));
@@ -93,6 +94,8 @@ void Multigrid<Space>::colour_level(Level& level, const Array& diagonal, const s
         const double d = diagonal[from + 2 * m + q];
         colour.diagonal[to + m] = static_cast<float>(d);
         colour.inverse[to + m] = d > 0 ? static_cast<float>(1 / d) : 0.0F;
+        if (d > 0) continue;
+        colour.right_side[to + m] = colour.value[to + m] = 0;
       }
       for (int a = 0; a < axes; ++a)
         for (std::ptrdiff_t m = begin; m < end; ++m)
@@ -236,28 +239,24 @@ void Multigrid<Space>::smooth(Level& level, int c, bool from_zero, std::ptrdiff_
     const float* inverse = mine.inverse.data() + at;
     const float* b = mine.right_side.data() + at;
     if (from_zero) {
-      for (std::ptrdiff_t m = 0; m < count; ++m) x[m] = inverse[m] * b[m];
+      for (std::ptrdiff_t m = 0; m < count; m += lanes) store8(x + m, load8(inverse + m) * load8(b + m));
       continue;
     }
+    const std::ptrdiff_t dy = level.row_step[1], dz = level.row_step[2];
     const float* left = mine.coupling[0].data() + at;
     const float* right = other.coupling[0].data() + at + q;
     const float* o = other.value.data() + at + q;
-    const std::ptrdiff_t dy = level.row_step[1];
     const float* down = mine.coupling[1].data() + at;
     const float* up = other.coupling[1].data() + at + dy;
     const float* oy = other.value.data() + at;
-    if constexpr (axes == 2) {
-      POLDER_INDEPENDENT
-      for (std::ptrdiff_t m = 0; m < count; ++m)
-        x[m] = inverse[m] * (b[m] + left[m] * o[m - 1] + right[m] * o[m] + down[m] * oy[m - dy] + up[m] * oy[m + dy]);
-    } else {
-      const std::ptrdiff_t dz = level.row_step[2];
-      const float* back = mine.coupling[axes - 1].data() + at;
-      const float* front = other.coupling[axes - 1].data() + at + dz;
-      POLDER_INDEPENDENT
-      for (std::ptrdiff_t m = 0; m < count; ++m)
-        x[m] = inverse[m] * (b[m] + left[m] * o[m - 1] + right[m] * o[m] + down[m] * oy[m - dy] + up[m] * oy[m + dy] +
-                             back[m] * oy[m - dz] + front[m] * oy[m + dz]);
+    const float* back = axes == 3 ? mine.coupling[axes - 1].data() + at : nullptr;
+    const float* front = axes == 3 ? other.coupling[axes - 1].data() + at + dz : nullptr;
+    for (std::ptrdiff_t m = 0; m < count; m += lanes) {
+      Vec8f sum = load8(b + m) + load8(left + m) * load8(o + m - 1) + load8(right + m) * load8(o + m) +
+                  load8(down + m) * load8(oy + m - dy) + load8(up + m) * load8(oy + m + dy);
+      if constexpr (axes == 3)
+        sum += load8(back + m) * load8(oy + m - dz) + load8(front + m) * load8(oy + m + dz);
+      store8(x + m, load8(inverse + m) * sum);
     }
   }
 }
@@ -269,10 +268,10 @@ void Multigrid<Space>::restrict_to(Level& fine, Level& coarse, std::ptrdiff_t ro
   const Colour& black = fine.colour[1];
   for (std::ptrdiff_t row = row0; row < row1; ++row) {
     const std::ptrdiff_t J = row % coarse.cells[1], K = row / coarse.cells[1];
-    float* sum = coarse.row_sum.data() + row * (coarse.cells[0] + 1);
     const RowSpan span = coarse.inside[row];
     if (span.count() == 0) continue;
-    std::fill(sum + span.begin, sum + span.end, 0.0F);
+    float* sum = coarse.row_sum.data() + row * sum_length(coarse);
+    std::fill(sum, sum + sum_length(coarse), 0.0F);
     for (std::ptrdiff_t k = 2 * K; k < std::min<std::ptrdiff_t>(2 * K + (axes == 3 ? 2 : 1), fine.cells[2]); ++k)
       for (std::ptrdiff_t j = 2 * J; j < std::min<std::ptrdiff_t>(2 * J + 2, fine.cells[1]); ++j) {
         const std::ptrdiff_t fine_row = j + k * fine.cells[1];
@@ -285,11 +284,12 @@ void Multigrid<Space>::restrict_to(Level& fine, Level& coarse, std::ptrdiff_t ro
         const float *o = black.value.data() + at + q, *oy = black.value.data() + at;
         const float* back = axes == 3 ? red.coupling[axes - 1].data() + at : nullptr;
         const float* front = axes == 3 ? black.coupling[axes - 1].data() + at + dz : nullptr;
-        for (std::ptrdiff_t m = 0; m < count; ++m) {
-          float r =
-              b[m] - d[m] * x[m] + left[m] * o[m - 1] + right[m] * o[m] + down[m] * oy[m - dy] + up[m] * oy[m + dy];
-          if constexpr (axes == 3) r += back[m] * oy[m - dz] + front[m] * oy[m + dz];
-          sum[begin + m] += r;
+        for (std::ptrdiff_t m = 0; m < count; m += lanes) {
+          Vec8f r = load8(b + m) - load8(d + m) * load8(x + m) + load8(left + m) * load8(o + m - 1) +
+                    load8(right + m) * load8(o + m) + load8(down + m) * load8(oy + m - dy) +
+                    load8(up + m) * load8(oy + m + dy);
+          if constexpr (axes == 3) r += load8(back + m) * load8(oy + m - dz) + load8(front + m) * load8(oy + m + dz);
+          store8(sum + begin + m, load8(sum + begin + m) + r);
         }
       }
     const std::ptrdiff_t to = coloured_row(coarse, row);
@@ -302,21 +302,27 @@ void Multigrid<Space>::restrict_to(Level& fine, Level& coarse, std::ptrdiff_t ro
 }
 
 template <class Space>
-void Multigrid<Space>::prolong_to(const Level& coarse, Level& fine, std::ptrdiff_t row0, std::ptrdiff_t row1) {
+void Multigrid<Space>::prolong_to(Level& coarse, Level& fine, std::ptrdiff_t row0, std::ptrdiff_t row1) {
   for (std::ptrdiff_t row = row0; row < row1; ++row) {
-    const std::ptrdiff_t j = row % fine.cells[1], k = row / fine.cells[1];
-    const std::ptrdiff_t coarse_row = j / 2 + (k / (axes == 3 ? 2 : 1)) * coarse.cells[1];
-    const std::ptrdiff_t from = coloured_row(coarse, coarse_row), to = coloured_row(fine, row);
-    const int P = parity(coarse, coarse_row);
-    for (int c = 0; c < 2; ++c) {
-      const auto [begin, end, q] = colour_range(fine, row, c, fine.inside[row]);
-      float* x = fine.colour[c].value.data() + to;
-      for (int C = 0; C < 2; ++C) {  // fine m lies in coarse cell m; coarse cell 2M + Q has colour C
-        const int Q = C == 0 ? P : 1 - P;
-        const float* e = coarse.colour[C].value.data() + from;
-        for (std::ptrdiff_t M = (begin - Q + 1) / 2; 2 * M + Q < end; ++M) x[2 * M + Q] += e[M];
-      }
+    const RowSpan span = coarse.inside[row];
+    if (span.count() == 0) continue;
+    const std::ptrdiff_t J = row % coarse.cells[1], K = row / coarse.cells[1];
+    float* e = coarse.row_sum.data() + row * sum_length(coarse);  // the coarse row in natural order
+    const std::ptrdiff_t from = coloured_row(coarse, row);
+    for (int C = 0; C < 2; ++C) {
+      const auto [begin, end, Q] = colour_range(coarse, row, C, span);
+      const float* value = coarse.colour[C].value.data() + from;
+      for (std::ptrdiff_t M = begin; M < end; ++M) e[2 * M + Q] = value[M];
     }
+    for (std::ptrdiff_t k = 2 * K; k < std::min<std::ptrdiff_t>(2 * K + (axes == 3 ? 2 : 1), fine.cells[2]); ++k)
+      for (std::ptrdiff_t j = 2 * J; j < std::min<std::ptrdiff_t>(2 * J + 2, fine.cells[1]); ++j)
+        for (int c = 0; c < 2; ++c) {
+          const std::ptrdiff_t fine_row = j + k * fine.cells[1];
+          const auto [begin, end, q] = colour_range(fine, fine_row, c, fine.inside[fine_row]);
+          float* __restrict x = fine.colour[c].value.data() + coloured_row(fine, fine_row);
+          POLDER_INDEPENDENT
+          for (std::ptrdiff_t m = begin; m < end; ++m) x[m] += e[m];  // cell 2m + q lies in coarse cell m
+        }
   }
 }
 
@@ -349,20 +355,20 @@ void Multigrid<Space>::build(const CellMatrix<Space>& matrix, const std::vector<
 template <class Space>
 void Multigrid<Space>::cycle_alone(std::size_t l) {
   if (l + 1 == levels_.size()) return solve_coarsest();
-  Level& level = levels_[l];
+  Level &level = levels_[l], &coarse = levels_[l + 1];
   const std::ptrdiff_t rows = level.rows();
   smooth(level, 0, true, 0, rows);
   smooth(level, 1, false, 0, rows);
   smooth(level, 0, false, 0, rows);
   smooth(level, 1, false, 0, rows);
-  restrict_to(level, levels_[l + 1], 0, levels_[l + 1].rows());
+  restrict_to(level, coarse, 0, coarse.rows());
   cycle_alone(l + 1);
-  prolong_to(levels_[l + 1], level, 0, rows);
+  prolong_to(coarse, level, 0, coarse.rows());
   for (const int c : {1, 0, 1, 0}) smooth(level, c, false, 0, rows);
 }
 
 template <class Space>
-void Multigrid<Space>::cycle(std::size_t l, Team& team, int rank) {
+void Multigrid<Space>::cycle_from(std::size_t l, Team& team, int rank) {
   Level& level = levels_[l];
   if (!shared(level) || l + 1 == levels_.size()) {
     if (rank == 0) cycle_alone(l);
@@ -378,43 +384,44 @@ void Multigrid<Space>::cycle(std::size_t l, Team& team, int rank) {
   sweep(1, false);
   sweep(0, false);
   sweep(1, false);
-  const Level& coarse = levels_[l + 1];
-  restrict_to(level, levels_[l + 1], coarse.bounds[rank], coarse.bounds[rank + 1]);
+  Level& coarse = levels_[l + 1];
+  const std::ptrdiff_t coarse0 = coarse.bounds[rank], coarse1 = coarse.bounds[rank + 1];
+  restrict_to(level, coarse, coarse0, coarse1);
   team.barrier();
-  cycle(l + 1, team, rank);
-  prolong_to(coarse, level, row0, row1);
+  cycle_from(l + 1, team, rank);
+  prolong_to(coarse, level, coarse0, coarse1);
   team.barrier();
   for (const int c : {1, 0, 1, 0}) sweep(c, false);
 }
 
 template <class Space>
-void Multigrid<Space>::apply(const Array& r, Array& z, double scale, Team& team, int rank) {
+void Multigrid<Space>::cycle(Team& team, int rank) {
+  if (!shared(levels_[0])) team.barrier();  // one thread goes on with what all have loaded
+  cycle_from(0, team, rank);
+}
+
+template <class Space>
+void Multigrid<Space>::load_row(std::ptrdiff_t row, const Array& r, double scale) {
   Level& level = levels_[0];
-  const bool split = shared(level);
-  const std::ptrdiff_t row0 = split ? level.bounds[rank] : 0;
-  const std::ptrdiff_t row1 = split ? level.bounds[rank + 1] : rank == 0 ? level.rows() : 0;
-  for (std::ptrdiff_t row = row0; row < row1; ++row) {
-    const std::ptrdiff_t from = natural_row(level, row), to = coloured_row(level, row);
-    for (int c = 0; c < 2; ++c) {
-      const auto [begin, end, q] = colour_range(level, row, c, level.inside[row]);
-      float* b = level.colour[c].right_side.data() + to;
-      const double* source = r.data() + from + q;
-      for (std::ptrdiff_t m = begin; m < end; ++m) b[m] = static_cast<float>(scale * source[2 * m]);
-    }
+  const std::ptrdiff_t from = natural_row(level, row), to = coloured_row(level, row);
+  for (int c = 0; c < 2; ++c) {
+    const auto [begin, end, q] = colour_range(level, row, c, level.inside[row]);
+    float* b = level.colour[c].right_side.data() + to;
+    const double* source = r.data() + from + q;
+    for (std::ptrdiff_t m = begin; m < end; ++m) b[m] = static_cast<float>(scale * source[2 * m]);
   }
-  team.barrier();
-  cycle(0, team, rank);
-  const double back = 1 / scale;
-  for (std::ptrdiff_t row = row0; row < row1; ++row) {
-    const std::ptrdiff_t to = natural_row(level, row), from = coloured_row(level, row);
-    for (int c = 0; c < 2; ++c) {
-      const auto [begin, end, q] = colour_range(level, row, c, level.inside[row]);
-      const float* x = level.colour[c].value.data() + from;
-      double* target = z.data() + to + q;
-      for (std::ptrdiff_t m = begin; m < end; ++m) target[2 * m] = back * static_cast<double>(x[m]);
-    }
+}
+
+template <class Space>
+void Multigrid<Space>::unload_row(std::ptrdiff_t row, Array& z, double back) const {
+  const Level& level = levels_[0];
+  const std::ptrdiff_t to = natural_row(level, row), from = coloured_row(level, row);
+  for (int c = 0; c < 2; ++c) {
+    const auto [begin, end, q] = colour_range(level, row, c, level.inside[row]);
+    const float* x = level.colour[c].value.data() + from;
+    double* target = z.data() + to + q;
+    for (std::ptrdiff_t m = begin; m < end; ++m) target[2 * m] = back * static_cast<double>(x[m]);
   }
-  team.barrier();
 }
 
 template class Multigrid<PlaneStrain>;

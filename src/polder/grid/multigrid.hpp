@@ -8,8 +8,9 @@
 // Layout: the cells of a colour are stored contiguously, row by row. In a row of parity p = (j + k) mod 2 the colour c
 // holds the cells i = 2m + q with q = p for red (c = 0), 1 − p for black. The neighbours of cell m along x are the
 // other colour's m − 1 + q and m + q, those along y and z the other colour's m in the rows beside: every sweep is a
-// loop over contiguous values without branches. Couplings are stored at the upper cell of a pair; inactive cells have a
-// zero inverse diagonal and zero couplings.
+// loop over contiguous values without branches, eight at a time: rows are padded so that a last block may reach beyond
+// its row's end. Couplings are stored at the upper cell of a pair. Cells outside the system, padding included, have zero
+// inverse diagonals, couplings, right sides and values, so that sweeps may pass over them.
 #include <array>
 #include <vector>
 
@@ -40,8 +41,11 @@ class Multigrid {
   /// from inside Team::run.
   void build(const CellMatrix<Space>& matrix, const std::vector<RowSpan>& inside, Team& team, int rank);
 
-  /// z ≈ A⁻¹ r inside, scaled by `scale` on the way in (keeps single precision in range). From inside Team::run.
-  void apply(const Array& r, Array& z, double scale, Team& team, int rank);
+  /// The cycle: z ≈ A⁻¹ r. Rows of r go in, times `scale` (which keeps single precision in range), and rows of z come
+  /// out, each row handled by the thread that deal_out() gives it; cycle() is called from inside Team::run.
+  void load_row(std::ptrdiff_t row, const Array& r, double scale);
+  void cycle(Team& team, int rank);
+  void unload_row(std::ptrdiff_t row, Array& z, double back) const;
 
   int level_count() const { return static_cast<int>(levels_.size()); }
 
@@ -63,7 +67,7 @@ class Multigrid {
     std::array<Colour, 2> colour;
     Array diagonal;  // natural, of coarse levels
     std::array<Array, axes> coupling;
-    AlignedVector<float> row_sum;  // natural coarse rows while restricting
+    AlignedVector<float> row_sum;  // natural coarse rows while restricting and prolonging
     std::vector<RowSpan> inside;   // cells of the system, per row
     std::vector<RowSpan> touched;  // and those of the last build, which this one has to clear
     std::vector<std::ptrdiff_t> bounds;
@@ -80,8 +84,8 @@ class Multigrid {
   void solve_coarsest();
   void smooth(Level& level, int colour, bool from_zero, std::ptrdiff_t row0, std::ptrdiff_t row1);
   void restrict_to(Level& fine, Level& coarse, std::ptrdiff_t row0, std::ptrdiff_t row1);
-  void prolong_to(const Level& coarse, Level& fine, std::ptrdiff_t row0, std::ptrdiff_t row1);
-  void cycle(std::size_t l, Team& team, int rank);
+  void prolong_to(Level& coarse, Level& fine, std::ptrdiff_t row0, std::ptrdiff_t row1);
+  void cycle_from(std::size_t l, Team& team, int rank);
   void cycle_alone(std::size_t l);
   bool shared(const Level& level) const;
 
@@ -102,6 +106,8 @@ class Multigrid {
     const int q = c == 0 ? parity(level, row) : 1 - parity(level, row);
     return {(span.begin - q + 1) / 2, (span.end - q + 1) / 2, q};
   }
+  /// Of a row of row_sum: its cells and room for a last block.
+  static std::ptrdiff_t sum_length(const Level& level) { return level.cells[0] + 9; }
   static int parity(const Level& level, std::ptrdiff_t row) {
     return static_cast<int>((row % level.cells[1] + row / level.cells[1]) & 1);
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polder/math/simd.hpp"
+
 namespace polder {
 
 template <class Space>
@@ -114,53 +116,50 @@ SolveResult PressureSolver<Space>::solve_together(const ActiveRows<Space>& rows,
     std::vector<std::ptrdiff_t> bounds;
     deal_out(inside_, team.size(), bounds);
     const auto sum_inside = [&](int slot, auto&& term) {
-      return sum_rows(inside_, bounds, team, rank, slot, [&](std::ptrdiff_t at, int n, std::ptrdiff_t) {
-        return term(at, n);
-      });
+      return sum_rows(inside_, bounds, team, rank, slot, term);
     };
-    double rr = sum_inside(1, [&](std::ptrdiff_t at, int n) {
+    double rr = sum_inside(1, [&](std::ptrdiff_t at, int n, std::ptrdiff_t) {
       multiply_row(x.data(), product_.data(), at, n);
-      double sum = 0;
-      for (std::ptrdiff_t i = at; i < at + n; ++i) {
-        residual_[i] = right_side[i] - product_[i];
-        sum += residual_[i] * residual_[i];
-      }
-      return sum;
+      POLDER_INDEPENDENT
+      for (std::ptrdiff_t i = at; i < at + n; ++i) residual_[i] = right_side[i] - product_[i];
+      return dot(residual_.data() + at, residual_.data() + at, n);
     });
     const double goal = tolerance * tolerance * bb + 1e-40;
     int iterations = 0;
-    if (rr > goal) multigrid_.build(matrix, inside_, team, rank);
-    double rz = 0;
+    double rz = 0, scale = 1 / std::sqrt(rr);
+    if (rr > goal) {
+      multigrid_.build(matrix, inside_, team, rank);
+      for (std::ptrdiff_t row = bounds[rank]; row < bounds[rank + 1]; ++row) multigrid_.load_row(row, residual_, scale);
+    }
     while (rr > goal && iterations < most_iterations && std::isfinite(rr)) {
-      multigrid_.apply(residual_, preconditioned_, 1 / std::sqrt(rr), team, rank);
-      const double rz_new = sum_inside(2, [&](std::ptrdiff_t at, int n) {
-        double sum = 0;
-        for (std::ptrdiff_t i = at; i < at + n; ++i) sum += residual_[i] * preconditioned_[i];
-        return sum;
+      multigrid_.cycle(team, rank);
+      const double rz_new = sum_inside(2, [&](std::ptrdiff_t at, int n, std::ptrdiff_t row) {
+        multigrid_.unload_row(row, preconditioned_, 1 / scale);
+        return dot(residual_.data() + at, preconditioned_.data() + at, n);
       });
       const double beta = iterations == 0 ? 0 : rz_new / rz;
       rz = rz_new;
-      sum_inside(3, [&](std::ptrdiff_t at, int n) {
+      sum_inside(3, [&](std::ptrdiff_t at, int n, std::ptrdiff_t) {
+        POLDER_INDEPENDENT
         for (std::ptrdiff_t i = at; i < at + n; ++i) direction_[i] = preconditioned_[i] + beta * direction_[i];
         return 0.0;
       });
-      const double dq = sum_inside(0, [&](std::ptrdiff_t at, int n) {
+      const double dq = sum_inside(0, [&](std::ptrdiff_t at, int n, std::ptrdiff_t) {
         multiply_row(direction_.data(), product_.data(), at, n);
-        double sum = 0;
-        for (std::ptrdiff_t i = at; i < at + n; ++i) sum += direction_[i] * product_[i];
-        return sum;
+        return dot(direction_.data() + at, product_.data() + at, n);
       });
       ++iterations;
       if (!(dq > 0)) break;
       const double alpha = rz / dq;
-      rr = sum_inside(1, [&](std::ptrdiff_t at, int n) {
-        double sum = 0;
+      scale = 1 / std::sqrt(rr);
+      rr = sum_inside(1, [&](std::ptrdiff_t at, int n, std::ptrdiff_t row) {
+        POLDER_INDEPENDENT
         for (std::ptrdiff_t i = at; i < at + n; ++i) {
           x[i] += alpha * direction_[i];
           residual_[i] -= alpha * product_[i];
-          sum += residual_[i] * residual_[i];
         }
-        return sum;
+        multigrid_.load_row(row, residual_, scale);
+        return dot(residual_.data() + at, residual_.data() + at, n);
       });
     }
     if (rank == 0) {

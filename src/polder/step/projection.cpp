@@ -1,6 +1,7 @@
 #include "polder/step/projection.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "polder/step/face_loop.hpp"
 
@@ -41,6 +42,15 @@ void assemble(const Setup<Space>& setup, const GridFields<Space>& grid, CellMatr
   });
 }
 
+constexpr std::uint64_t all_known = 0x0101010101010101;
+
+/// Eight flags at once.
+std::uint64_t eight(const std::uint8_t* flags) {
+  std::uint64_t word;
+  std::memcpy(&word, flags, sizeof word);
+  return word;
+}
+
 /// Carries component c of a face field `layers` (1 or 2) layers beyond the faces where `known` is not 0, by the mean of
 /// the known neighbours on the same side of thin walls. Returns where the field is known then.
 template <class Space>
@@ -61,6 +71,17 @@ const AlignedVector<std::uint8_t>& spread(const Lattice<Space>& lattice, const T
     over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
       for (int i = 0; i < count; ++i) {
         const std::ptrdiff_t f = first + i;
+        if (i + 8 <= count) {  // eight that are all known, or far from all that is known
+          const std::uint64_t own = eight(before + f);
+          std::uint64_t around = own;
+          for (int a = 0; a < Space::axes; ++a)
+            around |= eight(before + f - lattice.stride[a]) | eight(before + f + lattice.stride[a]);
+          if (own == all_known || around == 0) {
+            std::memcpy(after + f, &own, sizeof own);
+            i += 7;
+            continue;
+          }
+        }
         after[f] = before[f];
         if (before[f] || walls.blocked(c, f)) continue;
         const int at[3] = {place[0] + i, place[1], place[2]};
@@ -158,12 +179,16 @@ void extrapolate_water(const Setup<Space>& setup, GridFields<Space>& grid, FaceF
     const AlignedVector<std::uint8_t>& filled =
         spread(lattice, setup.walls, c, grid.reached[c], 2, field[c], grid, team);
     over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
-      for (int i = 0; i < count; ++i) {
-        const std::ptrdiff_t f = first + i;
-        const int place = c == 0 ? at[0] + i : at[c];
-        const bool beyond = !filled[f] && !(keep_ballistic && grid.water_mass[c][f] > 0);
-        if (beyond || place == 0 || place == lattice.cells[c]) v[f] = 0;
+      double* row = v + first;
+      const std::uint8_t* known = filled.data() + first;
+      const double* mass = grid.water_mass[c].data() + first;
+      if (c > 0 && (at[c] == 0 || at[c] == lattice.cells[c])) {  // on a wall
+        std::fill_n(row, count, 0.0);
+        return;
       }
+      for (int i = 0; i < count; ++i) row[i] = known[i] || (keep_ballistic && mass[i] > 0) ? row[i] : 0;
+      if (c == 0 && at[0] == 0) row[0] = 0;
+      if (c == 0 && at[0] + count == lattice.cells[0] + 1) row[count - 1] = 0;
     });
   }
 }
