@@ -254,8 +254,7 @@ void Multigrid<Space>::smooth(Level& level, int c, bool from_zero, std::ptrdiff_
     for (std::ptrdiff_t m = 0; m < count; m += lanes) {
       Vec8f sum = load8(b + m) + load8(left + m) * load8(o + m - 1) + load8(right + m) * load8(o + m) +
                   load8(down + m) * load8(oy + m - dy) + load8(up + m) * load8(oy + m + dy);
-      if constexpr (axes == 3)
-        sum += load8(back + m) * load8(oy + m - dz) + load8(front + m) * load8(oy + m + dz);
+      if constexpr (axes == 3) sum += load8(back + m) * load8(oy + m - dz) + load8(front + m) * load8(oy + m + dz);
       store8(x + m, load8(inverse + m) * sum);
     }
   }

@@ -9,8 +9,8 @@
 // holds the cells i = 2m + q with q = p for red (c = 0), 1 − p for black. The neighbours of cell m along x are the
 // other colour's m − 1 + q and m + q, those along y and z the other colour's m in the rows beside: every sweep is a
 // loop over contiguous values without branches, eight at a time: rows are padded so that a last block may reach beyond
-// its row's end. Couplings are stored at the upper cell of a pair. Cells outside the system, padding included, have zero
-// inverse diagonals, couplings, right sides and values, so that sweeps may pass over them.
+// its row's end. Couplings are stored at the upper cell of a pair. Cells outside the system, padding included, have
+// zero inverse diagonals, couplings, right sides and values, so that sweeps may pass over them.
 #include <array>
 #include <vector>
 
@@ -37,8 +37,8 @@ class Multigrid {
  public:
   explicit Multigrid(const Lattice<Space>& lattice);
 
-  /// Builds all levels from the matrix, which is 0 outside `inside` (a span per row). Called by every thread of the team
-  /// from inside Team::run.
+  /// Builds all levels from the matrix, which is 0 outside `inside` (a span per row). Called by every thread of the
+  /// team from inside Team::run.
   void build(const CellMatrix<Space>& matrix, const std::vector<RowSpan>& inside, Team& team, int rank);
 
   /// The cycle: z ≈ A⁻¹ r. Rows of r go in, times `scale` (which keeps single precision in range), and rows of z come

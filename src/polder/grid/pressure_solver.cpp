@@ -43,7 +43,8 @@ void PressureSolver<Space>::multiply_row(const double* x, double* __restrict y, 
   }
 }
 
-/// Σ over rows of term(index of the span's first cell, number of cells, row), the rows' sums added in sequence by every thread.
+/// Σ over rows of term(index of the span's first cell, number of cells, row), the rows' sums added in sequence by every
+/// thread.
 template <class Space>
 template <class Term>
 double PressureSolver<Space>::sum_rows(const std::vector<RowSpan>& spans, const std::vector<std::ptrdiff_t>& bounds,
@@ -115,9 +116,7 @@ SolveResult PressureSolver<Space>::solve_together(const ActiveRows<Space>& rows,
     });
     std::vector<std::ptrdiff_t> bounds;
     deal_out(inside_, team.size(), bounds);
-    const auto sum_inside = [&](int slot, auto&& term) {
-      return sum_rows(inside_, bounds, team, rank, slot, term);
-    };
+    const auto sum_inside = [&](int slot, auto&& term) { return sum_rows(inside_, bounds, team, rank, slot, term); };
     double rr = sum_inside(1, [&](std::ptrdiff_t at, int n, std::ptrdiff_t) {
       multiply_row(x.data(), product_.data(), at, n);
       POLDER_INDEPENDENT

@@ -19,7 +19,8 @@ class PressureSolver {
   Array right_side;
 
   /// Solves matrix · x = right_side from the x given, to a residual of `tolerance`·‖right_side‖, in the rows given,
-  /// where the caller has filled matrix and right side; elsewhere x is 0 and the matrix empty. Cells outside the system end with x = 0.
+  /// where the caller has filled matrix and right side; elsewhere x is 0 and the matrix empty. Cells outside the system
+  /// end with x = 0.
   SolveResult solve(const ActiveRows<Space>& rows, Array& x, double tolerance, int most_iterations, Team& team);
 
  private:

@@ -43,8 +43,8 @@ class Team {
     });
   }
 
-  /// body(i) for each i in [0, count): for items of unequal weight that do not touch each other. Thread r begins with its
-  /// own consecutive part, whose data are likely still in its cache from the last loop, then helps the others.
+  /// body(i) for each i in [0, count): for items of unequal weight that do not touch each other. Thread r begins with
+  /// its own consecutive part, whose data are likely still in its cache from the last loop, then helps the others.
   template <class Body>
   void each(std::ptrdiff_t count, Body&& body) {
     if (size_ == 1 || count < 2) {

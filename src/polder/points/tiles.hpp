@@ -43,8 +43,9 @@ std::array<int, 3> cell_of(const Lattice<Space>& lattice, const std::array<doubl
 template <class Space>
 void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& home, Tiling<Space>& tiling);
 
-/// How far from a point's home anything may happen in a step, in cells: half a cell of drift and half a cell of box make
-/// its neighbours wet, the faces of those carry velocities, extrapolated two layers on, and splines read one further.
+/// How far from a point's home anything may happen in a step, in cells: half a cell of drift and half a cell of box
+/// make its neighbours wet, the faces of those carry velocities, extrapolated two layers on, and splines read one
+/// further.
 inline constexpr int reach = 6;
 
 /// The rows near points of either phase, sorted, dealt out to `threads`.

@@ -91,7 +91,8 @@ template <class Space>
 void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
                   GridFields<Space>& grid, Team& team) {
   const auto& lattice = setup.lattice;
-  clear_faces<Space>(lattice, grid.rows, setup.soil_box, {&grid.soil_mass, &grid.soil_velocity, &grid.soil_force}, team);
+  clear_faces<Space>(lattice, grid.rows, setup.soil_box, {&grid.soil_mass, &grid.soil_velocity, &grid.soil_force},
+                     team);
   over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
     for (auto* field : {&grid.solid_volume, &grid.soil_cell_mass, &grid.linear_drag[0], &grid.linear_drag[1],
                         &grid.quadratic_drag[0], &grid.quadratic_drag[1]})
