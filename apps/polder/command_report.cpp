@@ -2,13 +2,13 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <stdexcept>
 #include <thread>
 
 #include "commands.hpp"
+#include "polder/report/figures.hpp"
 #include "polder/report/report.hpp"
 #include "polder/result/output_error.hpp"
-#include "polder/result/picture_files.hpp"
-#include "polder/result/vtk_reader.hpp"
 
 namespace polder::cli {
 namespace {
@@ -18,16 +18,25 @@ namespace fs = std::filesystem;
 struct Options {
   fs::path folder;
   bool watch = false, figures = false;
+  FigureOptions drawn;
+  std::string times;
 };
 
-void draw_figures(const fs::path& folder) {
-  const VtkSeries series = read_pvd(folder / "points.pvd");
-  if (series.empty())
-    throw Failure(status_wrong_input,
-                  (folder / "points.pvd").string() + ": no snapshots to draw; 'polder run' writes them");
-  for (std::size_t number = 0; 2 * number < series.size(); ++number) {
-    const Frame frame = read_snapshot(folder, series, number);
-    write_pictures(folder, frame, standard_pictures(frame), frame.time);
+/// "2, 6.5, 14" or "all".
+void read_times(const std::string& text, FigureOptions& options) {
+  options.all_times = text == "all";
+  if (options.all_times) return;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t comma = std::min(text.find(',', at), text.size());
+    const std::string word = text.substr(at, comma - at);
+    char* end = nullptr;
+    const double time = std::strtod(word.c_str(), &end);
+    while (end && *end == ' ') ++end;
+    if (word.empty() || *end != 0)
+      throw Failure(status_wrong_input,
+                    "--times: '" + word + "' is no time; give seconds, as in --times 2,6,14, or --times all");
+    options.times.push_back(time);
+    at = comma + 1;
   }
 }
 
@@ -55,13 +64,19 @@ int report(const Options& options) {
   if (!fs::is_directory(options.folder))
     throw Failure(status_wrong_input, options.folder.string() + ": there is no such folder; give the --out of a run");
   try {
-    if (options.figures) draw_figures(options.folder);
+    if (options.figures) {
+      FigureOptions drawn = options.drawn;
+      read_times(options.times, drawn);
+      for (const fs::path& file : write_figures(options.folder, drawn)) std::cout << file.string() << '\n';
+    }
     if (options.watch) watch(options.folder);
     write_report(options.folder);
   } catch (const OutputError&) {
     throw;
   } catch (const Failure&) {
     throw;
+  } catch (const std::invalid_argument& error) {
+    throw Failure(status_wrong_input, error.what());
   } catch (const std::runtime_error& error) {
     throw Failure(status_wrong_input, error.what());
   }
@@ -74,11 +89,25 @@ int report(const Options& options) {
 void add_report(CLI::App& polder, Action& action) {
   CLI::App* command =
       add_command(polder, "report", "Build the HTML report of a run again, from what it has written",
-                  "polder report out/dike\npolder report out/dike --figures\npolder report out/dike --watch");
+                  "polder report out/dike\n"
+                  "polder report out/dike --watch\n"
+                  "polder report out/dike --figures --fields porosity,pore_pressure --times 2,6,14 --formats svg");
   const auto options = std::make_shared<Options>();
   command->add_option("DIR", options->folder, "Folder of a finished or running run")->required();
   command->add_flag("--watch", options->watch, "Rewrite the page as the run goes on, until it ends");
-  command->add_flag("--figures", options->figures, "Draw the pictures of all snapshots first");
+  CLI::Option* figures =
+      command->add_flag("--figures", options->figures, "Draw figures for publications into DIR/figures first");
+  command->add_option("--fields", options->drawn.fields, "Fields of the figures (default: those of the run's pictures)")
+      ->delimiter(',')
+      ->needs(figures);
+  command
+      ->add_option("--times", options->times,
+                   "Times of the figures, s, or all; the nearest snapshots are drawn (default: the case's pictures)")
+      ->needs(figures);
+  command->add_option("--formats", options->drawn.formats, "png, svg or both (default)")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"png", "svg"}))
+      ->needs(figures);
   command->callback([options, &action] { action = [options] { return report(*options); }; });
 }
 

@@ -7,6 +7,10 @@ expect 2 polder report empty
 has "$err" "empty: there is neither summary.json nor history.csv: no run wrote here"
 expect 2 polder report empty --figures
 has "$err" "empty/points.pvd: no snapshots to draw"
+expect 2 polder report empty --figures --times 2,soon
+has "$err" "--times: 'soon' is no time; give seconds"
+expect 2 polder report empty --times 2
+has "$err" "--times requires --figures"
 [ -z "$(ls empty)" ] || fail "something was written"
 
 mkdir run

@@ -93,13 +93,13 @@ TEST_F(Report, OfAFolderWithoutARunIsRefused) {
   EXPECT_FALSE(std::filesystem::exists(folder / "report.html"));
 }
 
-TEST_F(Report, ShowsAComparisonThatLiesBesideTheRun) {
+TEST_F(Report, ShowsAValidationThatLiesBesideTheRun) {
   write();
   std::ofstream(folder / "comparison.json")
       << R"([{"problem": "slump", "quantity": "run-out", "at": "12 s", "reference": 1.0, "computed": 1.2,
               "error": 0.2, "tolerance": 0.1, "pass": false, "seconds": 3}])";
   const Page page = run_page(folder);
-  const PageTable* table = table_of(page, "comparison");
+  const PageTable* table = table_of(page, "validation");
   ASSERT_NE(table, nullptr);
   ASSERT_EQ(table->rows.size(), 1u);
   EXPECT_EQ(table->rows[0][4].state, PageCell::State::fail);
@@ -141,7 +141,7 @@ TEST_F(Report, ThinsByIdAndSaysSo) {
   EXPECT_GT(some.soil_spacing, 1.2 * all.soil_spacing);
 }
 
-TEST(SoilShape, LeavesOutTheOutermostHalfPerCent) {
+TEST(SoilShape, LeavesOutGrainsThrownOut) {
   PointSet soil;
   for (int i = 0; i < 40; ++i)
     for (int j = 0; j < 25; ++j) {
@@ -149,14 +149,28 @@ TEST(SoilShape, LeavesOutTheOutermostHalfPerCent) {
       soil.position.push_back({0.1 * i + 0.05, 0.1 * j + 0.05, 0});
       soil.volume.push_back(0.01);
     }
-  soil.id.push_back(5000);
-  soil.position.push_back({30, 9, 0});  // one grain in the air
-  soil.volume.push_back(0.01);
+  for (int k = 0; k < 2; ++k) {  // two in the air, together
+    soil.id.push_back(5000 + soil.id.size());
+    soil.position.push_back({30, 9 + 0.1 * k, 0});
+    soil.volume.push_back(0.01);
+  }
   const SoilShape shape = soil_shape(soil, 1);
   EXPECT_NEAR(shape.crest, 2.5, 1e-12);
   EXPECT_NEAR(shape.left, 0, 1e-12);
   EXPECT_NEAR(shape.right, 4, 1e-12);
   EXPECT_FALSE(soil_shape({}, 1).any);
+}
+
+TEST(SoilShape, KeepsAThinTongue) {
+  PointSet soil;
+  for (int i = 0; i < 100; ++i) {
+    soil.id.push_back(soil.id.size());
+    soil.position.push_back({0.1 * i + 0.05, 0.05, 0});
+    soil.volume.push_back(0.01);
+  }
+  const SoilShape shape = soil_shape(soil, 1);
+  EXPECT_NEAR(shape.right, 10, 1e-12);
+  EXPECT_NEAR(shape.crest, 0.1, 1e-12);
 }
 
 TEST(PlayerFields, MakeInvariantsOfTheEffectiveStress) {

@@ -10,6 +10,7 @@
 
 #include "polder/report/audit.hpp"
 #include "polder/report/case_tables.hpp"
+#include "polder/report/comparison.hpp"
 #include "polder/report/run_points.hpp"
 #include "polder/result/atomic_file.hpp"
 #include "polder/result/history.hpp"
@@ -56,11 +57,11 @@ void add_shape_facts(Page& page, const RunPoints& points) {
   const SoilShape &first = points.first, &last = points.last;
   if (!first.any || !last.any) return;
   const double half = 0.5 * points.soil_spacing;
-  const double run_out = std::max(last.right - first.right, first.left - last.left);
-  if (std::abs(last.crest - first.crest) < half && run_out < half && last.moved < half) return;
+  const double reach = run_out(first, last);
+  if (std::abs(last.crest - first.crest) < half && reach < half && last.moved < half) return;
   page.facts.push_back(
       length_fact("Residual crest height", last.crest, last.crest, "of " + metres_text(first.crest) + " at the start"));
-  page.facts.push_back(length_fact("Run-out", std::max(0.0, run_out), run_out, "beyond the soil's first extent"));
+  page.facts.push_back(length_fact("Run-out", reach, reach, "beyond the soil's first extent"));
   if (last.moved > 0) page.facts.push_back(length_fact("Largest displacement", last.moved, last.moved, "of the soil"));
 }
 
@@ -132,9 +133,9 @@ std::string any_text(const Json& row, const char* key) {
                                 : row[key].dump();
 }
 
-PageTable comparison_table(const fs::path& folder) {
+PageTable validation_table(const fs::path& folder) {
   PageTable table{
-      "comparison", "Comparison", "", {"Quantity", "At", "Reference", "Computed", "Error", "Tolerance"}, {}, {}};
+      "validation", "Validation", "", {"Quantity", "At", "Reference", "Computed", "Error", "Tolerance"}, {}, {}};
   table.numeric = {false, false, true, true, true, true};
   if (!fs::exists(folder / "comparison.json")) return table;
   for (const Json& row : read_json(folder / "comparison.json")) {
@@ -147,6 +148,17 @@ PageTable comparison_table(const fs::path& folder) {
                           {any_text(row, "tolerance")}});
   }
   return table;
+}
+
+/// expected.toml in the folder, where a run puts a copy of it, or else beside the case file.
+void add_comparison(Page& page, const fs::path& folder, const RunPoints& points) {
+  fs::path file = folder / "expected.toml";
+  if (const std::string origin = text_of(page.inputs, "file"); !fs::exists(file) && !origin.empty())
+    file = fs::path(origin).parent_path() / "expected.toml";
+  const auto compared = compare(read_expectations(file), page.history, points.first, points.last);
+  if (compared.empty()) return;
+  page.tables.push_back(comparison_table(compared));
+  if (const std::optional<PageFact> fact = comparison_fact(compared)) page.facts.push_back(*fact);
 }
 
 void add_model_drawing(Page& page, const fs::path& folder) {
@@ -190,7 +202,8 @@ Page run_page(const fs::path& folder, const ReportOptions& options) {
   if (points.soil.entries() > 0) page.points.push_back({encode(points.soil), points.soil_spacing});
   if (points.water.entries() > 0) page.points.push_back({encode(points.water), points.water_spacing});
 
-  page.tables.push_back(comparison_table(folder));
+  add_comparison(page, folder, points);
+  page.tables.push_back(validation_table(folder));
   add_model_drawing(page, folder);
   for (PageTable& table : case_tables(page.inputs)) page.tables.push_back(std::move(table));
   page.tables.push_back(audit_table(summary));

@@ -127,6 +127,21 @@ void draw_contents(Drawing& drawing, const Panel& panel, const Frame& frame, con
   drawing.add(Unclip{});
 }
 
+/// A bar of 1, 2 or 5 times a power of ten metres, about a sixth of the width, on a pale ground.
+void draw_scale_bar(Drawing& drawing, const Panel& panel) {
+  constexpr double gap = 12, thick = 4;
+  const double wanted = (panel.horizontal.high - panel.horizontal.low) / 6;
+  const double decade = std::pow(10, std::floor(std::log10(wanted)));
+  const double metres = decade * (wanted >= 5 * decade ? 5 : wanted >= 2 * decade ? 2 : 1);
+  const double length = metres * panel.scale(), right = panel.x + panel.width - gap, top = panel.y + gap;
+  const DisplayUnit unit = display_unit("m", metres);
+  const std::string text = number_text(metres / unit.factor) + " " + unit.name;
+  const double box = std::max(length, text_width(text, tick_size)) + 12;
+  drawing.rectangle(right - length / 2 - box / 2, top - 6, box, 34, Colour{1, 1, 1, 0.75});
+  drawing.rectangle(right - length, top, length, thick, ink::text);
+  drawing.add(Text{{right - length / 2, top + thick + 4 + tick_size}, text, tick_size, ink::text, Anchor::middle});
+}
+
 const FieldInfo& info_of(const Frame& frame, const PictureField& field) {
   const PointField* present = frame.soil.find(field.name);
   if (!present) present = frame.water.find(field.water);
@@ -162,6 +177,8 @@ std::vector<PictureField> standard_pictures(const Frame& frame) {
   return fields;
 }
 
+Range common_range(std::span<const Frame> frames, const PictureField& field) { return bar_for(frames, field).range; }
+
 Drawing draw_frame(const Frame& frame, const PictureField& field, const PictureStyle& style) {
   constexpr double left = 62, right = 78, top = 58, bottom = 50, least_width = 420;
   const View view = style.view ? *style.view : whole_view({&frame, 1});
@@ -173,6 +190,7 @@ Drawing draw_frame(const Frame& frame, const PictureField& field, const PictureS
 
   draw_contents(drawing, panel, frame, field, bar, style.outline);
   draw_axes(drawing, panel, {"x (m)", frame.dimension == 3 ? "z (m)" : "y (m)", true, true, false});
+  if (style.scale_bar) draw_scale_bar(drawing, panel);
   draw_upright_bar(drawing, bar, panel.x + panel.width + 20, panel.y, 14, panel.height);
 
   const std::string time = "t = " + time_text(frame.time);
@@ -221,6 +239,7 @@ Drawing draw_sheet(std::span<const Frame> frames, std::span<const PictureField> 
       draw_contents(drawing, panel, frames[r], fields[c], bar, style.outline);
       const bool last = r + 1 == frames.size();
       draw_axes(drawing, panel, {last ? "x (m)" : "", "", last, c == 0, false});
+      if (style.scale_bar && r == 0) draw_scale_bar(drawing, panel);
       if (c == 0)
         drawing.add(Text{
             {12, panel.y + height / 2 + 4}, time_text(frames[r].time), label_size, ink::text, Anchor::start, true});

@@ -39,7 +39,12 @@ struct PictureStyle {
   double max_height = 720;                   ///< of the panel; a tall model makes a narrower picture
   std::optional<std::array<Range, 2>> view;  ///< m; absent: the width of the model, up to its highest point
   bool outline = true;
+  bool scale_bar = false;  ///< a bar of a round length in the panel's upper right corner, as publications ask for
 };
+
+/// The range that a picture of these frames would choose; one range for several pictures makes them comparable. Throws
+/// std::invalid_argument where no frame has the field.
+Range common_range(std::span<const Frame> frames, const PictureField& field);
 
 /// One picture. Throws std::invalid_argument where neither soil nor water has the field.
 Drawing draw_frame(const Frame& frame, const PictureField& field, const PictureStyle& style = {});

@@ -13,8 +13,10 @@
 #include "polder/result/atomic_file.hpp"
 #include "polder/result/frame_of.hpp"
 #include "polder/result/history.hpp"
+#include "polder/result/model_drawing.hpp"
 #include "polder/result/monitors.hpp"
 #include "polder/result/output_error.hpp"
+#include "polder/result/paint.hpp"
 #include "polder/result/picture_files.hpp"
 #include "polder/result/progress.hpp"
 #include "polder/result/run_folder.hpp"
@@ -116,6 +118,13 @@ class Run {
     refused_ = trouble;
   }
 
+  /// What a reader of the results wants beside them: the drawing of the model, and what the case is held against.
+  void keep_case_papers() const {
+    write_drawing(folder_.path() / "model.svg", draw_model(model_));
+    const auto expected = std::filesystem::path(model_.file).parent_path() / "expected.toml";
+    if (std::filesystem::exists(expected)) write_atomically(folder_.path() / "expected.toml", read_file(expected));
+  }
+
   void open_log() {
     try {
       log_ = std::make_shared<spdlog::logger>(
@@ -136,6 +145,7 @@ class Run {
 
   /// Opens history and monitors at the first moment of the event.
   void open_results() {
+    keep_case_papers();
     monitors_ = std::make_unique<Monitors<Space>>(*simulation_);
     const auto path = folder_.path() / "history.csv";
     const bool again = options_.resume && output_.history_rows > 0;

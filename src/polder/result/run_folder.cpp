@@ -32,8 +32,9 @@ bool has_results(const fs::path& folder) {
 }
 
 void remove_results(const fs::path& folder) {
-  for (const char* name : {"summary.json", "history.csv", "points.pvd", checkpoint_name, previous_name, "failed.h5",
-                           "report.html", "log.txt", "points", "pictures"}) {
+  for (const char* name :
+       {"summary.json", "history.csv", "points.pvd", checkpoint_name, previous_name, "failed.h5", "report.html",
+        "log.txt", "points", "pictures", "model.svg", "expected.toml", "comparison.json", "figures"}) {
     std::error_code error;
     fs::remove_all(folder / name, error);
     if (error) throw OutputError((folder / name).string(), error.message());
