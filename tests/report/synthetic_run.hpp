@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include "polder/result/history.hpp"
 #include "polder/result/summary.hpp"
@@ -108,6 +109,37 @@ inline nlohmann::ordered_json inputs() {
   })json");
 }
 
+inline constexpr const char* expected = R"toml(
+[[compare]]
+quantity  = "settlement of the crest"
+at        = "the end"
+monitor   = "crest: settlement"
+reference = 0.1
+tolerance = 0.005
+source    = "the formula, 0.1 m / (1 + exp(-6))"
+
+[[compare]]
+quantity  = "porosity of the toe"
+at        = "6 s"
+monitor   = "toe porosity"
+time      = "6 s"
+reference = 0.5
+tolerance = 0.02
+source    = "wrong on purpose"
+
+[[compare]]
+quantity  = "difference between grids"
+reference = 0
+tolerance = 0.1
+source    = "what one run cannot answer"
+
+[[show]]
+quantity  = "run-out"
+result    = "run-out"
+reference = "some decimetres"
+source    = "a picture"
+)toml";
+
 }  // namespace synthetic
 
 /// Writes the folder anew.
@@ -132,6 +164,7 @@ inline void write_synthetic_run(const std::filesystem::path& folder, const Synth
     history.append(t, std::vector{1 - 0.1 * done, 0.1 * done, 0.4 + 0.12 * done, 90 * rate, 30 * rate + 1,
                                   1e-14 * std::sin(t), 0.001 - 0.001 * rate});
   }
+  std::ofstream(folder / "expected.toml") << synthetic::expected;
   if (!run.finished) return;
   Summary summary;
   summary.reason = "the end of the last stage was reached";

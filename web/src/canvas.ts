@@ -24,7 +24,7 @@ function drawLayer(pen: CanvasRenderingContext2D, layer: Layer, scene: Scene) {
   const end = series.start[frame + 1];
   const indices = colourIndices(layer, begin, end);
   const order = Uint32Array.from(indices.keys()).sort((a, b) => indices[a] - indices[b]);
-  const side = Math.max(1.5, 0.9 * series.spacing * camera.scale);
+  const side = Math.max(1.5, 1.1 * series.spacing * camera.scale);
   const originX = camera.left + camera.width / 2 - side / 2;
   const originY = camera.top + camera.height / 2 - side / 2;
   pen.globalAlpha = layer.opacity;

@@ -104,7 +104,7 @@ export function makeLegend(series: Series, initial: string, changed: () => void)
     shownUnit = displayUnit(field.unit, Math.max(Math.abs(low), Math.abs(high)));
     lowInput.value = formatNumber(low * shownUnit.factor);
     highInput.value = formatNumber(high * shownUnit.factor);
-    unit.textContent = shownUnit.unit || "–";
+    unit.textContent = shownUnit.unit;
     bar.style.background = cssGradient(map);
     bar.setAttribute("aria-label", `Colours from ${lowInput.value} to ${highInput.value} ${shownUnit.unit}`);
     bar.title = field.symbol ? `${field.label} ${field.symbol}` : field.label;

@@ -2,7 +2,7 @@
 import "./style.css";
 import { makeCurves } from "./curves";
 import { h, iconButton } from "./dom";
-import { readPage, type Page } from "./page";
+import { readPage, type Page, type Table } from "./page";
 import { makePlayer, type Player } from "./player";
 import { openSeries } from "./series";
 import { makeFacts, makeFigures, makeFooter, makeHeader, makeHelp, makeInputs, makeNotes, makeTables } from "./story";
@@ -17,10 +17,11 @@ function storage(): Storage | null {
   }
 }
 
-/** Place and colours survive the reload of a page whose run goes on. */
+/** Place and colours survive the reload of a page whose run goes on, and the last one, after which it does not. */
 function remember(page: Page, player: Player) {
   const key = `polder:${page.title}`;
-  const text = page.reload ? storage()?.getItem(key) : null;
+  const text = storage()?.getItem(key);
+  if (!page.reload) storage()?.removeItem(key);
   if (text) {
     const state = JSON.parse(text) as { time: number; atEnd: boolean; colours: string[]; scroll: number };
     if (state.atEnd) player.clock.seek(page.times.length - 1);
@@ -97,7 +98,8 @@ async function start() {
     // For tests and the curious.
     Object.assign(window, { polder: { page, player, series } });
   }
-  root.append(...makeTables(page, (t) => t.id === "comparison"), ...makeFigures(page), ...makeTables(page, (t) => t.id !== "comparison"), ...[makeInputs(page)].filter((e): e is HTMLElement => e !== null), makeFooter(page), help);
+  const compared = (t: Table) => t.id === "comparison" || t.id === "validation";
+  root.append(...makeTables(page, compared), ...makeFigures(page), ...makeTables(page, (t) => !compared(t)), ...[makeInputs(page)].filter((e): e is HTMLElement => e !== null), makeFooter(page), help);
   document.documentElement.dataset.ready = "yes";
 }
 

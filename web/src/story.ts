@@ -27,6 +27,9 @@ export function makeNotes(page: Page): HTMLElement | null {
   return page.notes.length ? h("ul", { class: "notes" }, ...page.notes.map((n) => h("li", {}, n))) : null;
 }
 
+/** Tables with sentences in them, which a phone shows row by row. */
+const worded = new Set(["comparison", "validation", "audit"]);
+
 function table(t: Table): HTMLElement {
   const cls = (k: number) => (t.numeric[k] ? "number" : undefined);
   const head = h("tr", {}, ...t.columns.map((c, k) => h("th", { scope: "col", class: cls(k) }, c)));
@@ -39,15 +42,16 @@ function table(t: Table): HTMLElement {
           ? h("th", { scope: "row", title: cell.title }, cell.text)
           : h(
               "td",
-              { class: [cls(k) ?? "", cell.state ?? ""].join(" ").trim() || undefined, title: cell.title },
+              { class: [cls(k) ?? "", cell.state ?? ""].join(" ").trim() || undefined, title: cell.title, "data-column": t.columns[k] },
               t.columns[k] === "Symbol" ? symbol(cell.text) : cell.text,
             ),
       ),
     ),
   );
+  const kind = t.columns.length === 2 ? "small" : worded.has(t.id) ? "cards" : "";
   return h(
     "section",
-    { class: t.columns.length === 2 ? "block small" : "block", id: t.id },
+    { class: `block ${kind}`.trim(), id: t.id },
     h("h2", {}, t.title),
     t.note ? h("p", { class: "lead" }, t.note) : null,
     h("div", { class: "scroll", tabindex: 0, role: "region", "aria-label": t.title }, h("table", {}, h("thead", {}, head), h("tbody", {}, ...rows))),

@@ -73,6 +73,8 @@ void main() {
   result = vec4(sum.g > 0.01 ? rgb : missing, 1.0) * body * opacity;
 }`;
 
+/** Diameter of a disc in spacings of the points: on a full lattice only a pinhole is left between four of them. */
+const discWidth = 1.3;
 /** Diameter of a kernel in spacings of the points. */
 const kernelWidth = 3;
 /** Pixels of the sum's texture per kernel: more would cost time and show nothing. */
@@ -214,7 +216,7 @@ export function webglPainter(canvas: HTMLCanvasElement, lost: () => void): Paint
     gl.uniform1f(discs.at("opacity"), layer.opacity);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     // Small squares snap to pixels; a little more than their spacing leaves no seams between them.
-    const diameter = layer.series.spacing * scene.camera.scale * ratio;
+    const diameter = discWidth * layer.series.spacing * scene.camera.scale * ratio;
     points(discs, u, layer, scene, Math.max(1.5, diameter < 4 ? diameter + 0.9 : diameter));
   }
 

@@ -32,7 +32,10 @@ PageCell::State state_of(Verdict verdict) {
 }
 
 std::string with_unit(double value, const DisplayUnit& unit) {
-  return number_text(value / unit.factor) + (unit.name.empty() ? "" : "\u202f" + unit.name);
+  std::string name = unit.name;
+  if (name == "m2") name = "m²";
+  if (name == "m3") name = "m³";
+  return number_text(value / unit.factor) + (name.empty() ? "" : "\u202f" + name);
 }
 
 }  // namespace
