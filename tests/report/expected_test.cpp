@@ -117,6 +117,17 @@ method = "bishop"
   EXPECT_EQ(table.rows[1][5].state, PageCell::State::fail);
 }
 
+TEST_F(Expected, OfARunThatWasStoppedBeforeItsHistoryBeganIsNotReached) {
+  const auto expectations = read(R"(
+[[compare]]
+quantity = "then"
+monitor = "settlement"
+reference = 0.2
+tolerance = 0.001
+)");
+  EXPECT_EQ(compare(expectations, {}, {}, {}).at(0).verdict, Verdict::not_reached);
+}
+
 TEST_F(Expected, SaysWhereAnEntryIsWrong) {
   const auto message = [&](const std::string& text) -> std::string {
     try {

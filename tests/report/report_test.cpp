@@ -105,6 +105,24 @@ TEST_F(Report, ShowsAValidationThatLiesBesideTheRun) {
   EXPECT_EQ(table->rows[0][4].state, PageCell::State::fail);
 }
 
+TEST_F(Report, ComparesTheRunWithExpectedToml) {
+  write();
+  const Page page = run_page(folder);
+  const PageTable* table = table_of(page, "comparison");
+  ASSERT_NE(table, nullptr);
+  EXPECT_EQ(table->rows.size(), 4u);
+  EXPECT_EQ(page.facts.back().value, "1 of 2");
+}
+
+TEST_F(Report, SaysWhatIsWrongWithExpectedTomlAndIsWrittenAllTheSame) {
+  write();
+  std::ofstream(folder / "expected.toml") << "[[show]]\nquantity = \"a\"\nmonitor = \"no such\"\nreference = 1\n";
+  const Page page = run_page(folder);
+  EXPECT_EQ(table_of(page, "comparison"), nullptr);
+  ASSERT_EQ(page.notes.size(), 1u);
+  EXPECT_NE(page.notes[0].find("'no such'"), std::string::npos);
+}
+
 TEST_F(Report, AuditSaysWhatIsKeptAndWhatIsNot) {
   Summary summary;
   summary.water_balance_error = 3e-15;

@@ -94,6 +94,7 @@ void answer(Comparison& c, const History& history, const SoilShape& first, const
   const Expectation& e = c.expected;
   c.verdict = Verdict::not_reached;
   if (!e.monitor.empty()) {
+    if (history.columns.empty()) return;
     const auto found = std::find_if(history.columns.begin(), history.columns.end(),
                                     [&](const HistoryColumn& column) { return column.name == e.monitor; });
     if (found == history.columns.end())

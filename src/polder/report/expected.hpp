@@ -49,7 +49,8 @@ struct Comparison {
   Verdict verdict = Verdict::other_runs;
 };
 
-/// `first` and `last` are the soil's shapes at the ends of the run. Throws std::runtime_error where an entry names a
+/// `first` and `last` are the soil's shapes at the ends of the run; a run that was stopped before its history began has
+/// reached nothing. Throws std::runtime_error where an entry names a
 /// monitor or a result that there is none of.
 std::vector<Comparison> compare(const std::vector<Expectation>& expectations, const History& history,
                                 const SoilShape& first, const SoilShape& last);

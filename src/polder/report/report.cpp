@@ -155,10 +155,14 @@ void add_comparison(Page& page, const fs::path& folder, const RunPoints& points)
   fs::path file = folder / "expected.toml";
   if (const std::string origin = text_of(page.inputs, "file"); !fs::exists(file) && !origin.empty())
     file = fs::path(origin).parent_path() / "expected.toml";
-  const auto compared = compare(read_expectations(file), page.history, points.first, points.last);
-  if (compared.empty()) return;
-  page.tables.push_back(comparison_table(compared));
-  if (const std::optional<PageFact> fact = comparison_fact(compared)) page.facts.push_back(*fact);
+  try {
+    const auto compared = compare(read_expectations(file), page.history, points.first, points.last);
+    if (compared.empty()) return;
+    page.tables.push_back(comparison_table(compared));
+    if (const std::optional<PageFact> fact = comparison_fact(compared)) page.facts.push_back(*fact);
+  } catch (const std::runtime_error& error) {  // a slip in that file must not cost the page of a long run
+    page.notes.push_back(fmt::format("No comparison: {}.", error.what()));
+  }
 }
 
 void add_model_drawing(Page& page, const fs::path& folder) {
