@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "polder/case/estimate.hpp"
 #include "polder/points/seed.hpp"
+#include "polder/report/run_points.hpp"
 #include "polder/result/atomic_file.hpp"
 #include "polder/result/model_drawing.hpp"
 #include "polder/result/output_error.hpp"
@@ -26,9 +27,11 @@ struct CheckOptions {
   bool json = false, no_drawing = false;
 };
 
-/// Measured with the dike at 1/20, 1/30 and 1/40 m on one core (5.7, 6.0, 6.6 M point-steps/s, 29, 35, 46 MB): the
-/// order of magnitude on other machines and models. In 3d a point costs about twice as much.
-constexpr double point_steps_per_second = 6e6, share_in_3d = 0.5, base_memory = 23e6, memory_per_point = 1000;
+/// Measured with the dike at 1/20, 1/30 and 1/40 m on one core (5.7, 6.0, 6.6 M point-steps/s; resident at most, with
+/// the report at the end, 67 MB at 1/20 and 190 MB at 1/40 m): the order of magnitude on other machines and models. In
+/// 3d a point costs about twice as much.
+constexpr double point_steps_per_second = 6e6, share_in_3d = 0.5;
+constexpr double base_memory = 24e6, memory_per_point = 1000, memory_per_page_entry = 66;  // B
 
 /// Seconds as one says them.
 std::string spoken(double seconds) {
@@ -42,6 +45,20 @@ double computed_time(const Model& model) {
   double time = 0;
   for (const Stage& stage : model.stages) time += stage.duration;
   return time;
+}
+
+/// B, resident at most: the run, and beside it the points that the report's page moves.
+double estimated_memory(const Model& model, double points) {
+  double shown_time = 0;
+  for (const Stage& stage : model.stages)
+    if (!stage.initial) shown_time += stage.duration;
+  const PageLimits limits;
+  double moved = points;  // of a run in 3d, those in a slice two points thick
+  if (model.space == SpaceKind::solid)
+    moved *= std::min(1.0, 2 * model.cell[1] / (model.points_per_axis * model.size[1]));
+  const double frames = std::min(shown_time / model.output.snapshot_interval + 1, static_cast<double>(limits.frames));
+  const double entries = std::min(std::min(moved, limits.points) * frames, limits.entries);
+  return base_memory + memory_per_point * points + memory_per_page_entry * entries;
 }
 
 std::vector<std::string> draw(const Model& model, const CheckOptions& options) {
@@ -90,7 +107,7 @@ int check(const CheckOptions& options) {
     const PointCount points = count_points(model);
     const double count = static_cast<double>(points.soil + points.water);
     const double speed = point_steps_per_second * (model.space == SpaceKind::solid ? share_in_3d : 1);
-    const double wall = count * time / step / speed, memory = base_memory + memory_per_point * count;
+    const double wall = count * time / step / speed, memory = estimated_memory(model, count);
     json.update({{"cells", cell_count(model)},
                  {"soil_points", points.soil},
                  {"water_points", points.water},
