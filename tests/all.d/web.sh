@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Minutes: 8
+# Minutes: 10
 # Packages: report-test
 # The viewer of report.html: its types, its bundle against the one that is committed, and the report in a browser.
 set -eu

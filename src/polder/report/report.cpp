@@ -92,7 +92,9 @@ std::string summary_sentence(const Json& summary, const RunPoints& points, const
   std::string reason = text_of(summary, "reason");
   if (summary.is_null() && history.rows() > 0)
     reason = "The run goes on; its last row is at t = " + time_text(history.values[0].back());
-  if (!reason.empty() && reason[0] >= 'a' && reason[0] <= 'z') reason[0] = static_cast<char>(reason[0] - 'a' + 'A');
+  const bool symbol = reason.size() > 1 && reason[1] == ' ';  // "t = 3 s is reached" begins with one
+  if (!symbol && !reason.empty() && reason[0] >= 'a' && reason[0] <= 'z')
+    reason[0] = static_cast<char>(reason[0] - 'a' + 'A');
   if (!reason.empty() && reason.back() != '.') reason += '.';
   return text + reason;
 }
