@@ -1,10 +1,12 @@
 #pragma once
 // The thin walls of a case that stand at a time; gates among them have vanished by then.
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "polder/case/model.hpp"
 #include "polder/case/wall_line.hpp"
+#include "polder/grid/bodies.hpp"
 #include "polder/grid/thin_walls.hpp"
 
 namespace polder {
@@ -26,8 +28,8 @@ template <class Space>
 ThinWalls<Space> make_thin_walls(const Model& model, const Lattice<Space>& lattice, const std::vector<bool>& stands) {
   ThinWalls<Space> walls(lattice);
   for (std::size_t w = 0; w < model.walls.size(); ++w) {
-    if (!stands[w]) continue;
     const WallInput& wall = model.walls[w];
+    if (!stands[w] || wall.line.empty()) continue;
     for (const WallFace& face : stepped_wall(wall.line, {lattice.spacing[0], lattice.spacing[Space::up]}).faces)
       for (int across = 0; across < (Space::axes == 3 ? lattice.cells[1] : 1); ++across) {
         const std::array<int, 3> cell =
@@ -37,6 +39,19 @@ ThinWalls<Space> make_thin_walls(const Model& model, const Lattice<Space>& latti
   }
   walls.finish();
   return walls;
+}
+
+/// The bodies among those that stand.
+template <class Space>
+Bodies<Space> make_bodies(const Model& model, const Lattice<Space>& lattice, const std::vector<bool>& stands) {
+  std::vector<BodySection> sections;
+  for (std::size_t w = 0; w < model.walls.size(); ++w) {
+    const WallInput& wall = model.walls[w];
+    if (stands[w] && !wall.polygon.empty())
+      sections.push_back(
+          {wall.polygon, wall.rough ? std::numeric_limits<double>::infinity() : std::tan(wall.friction_angle)});
+  }
+  return sections.empty() ? Bodies<Space>() : Bodies<Space>(lattice, std::move(sections));
 }
 
 }  // namespace polder

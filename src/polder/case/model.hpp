@@ -74,12 +74,15 @@ struct Boundary {
   Table head;     ///< m above datum y = 0, as a function of time (reservoir)
 };
 
-/// A rigid wall. A thin one is a line, thinner than a cell: it lies on the faces of the grid nearest to the line,
-/// neither water nor soil crosses it, and the two sides do not feel each other except around its ends.
+/// A rigid wall: a thin one or a body. A thin one is a line, thinner than a cell: it lies on the faces of the grid
+/// nearest to the line, neither water nor soil crosses it, and the two sides do not feel each other except around its
+/// ends. A body is a polygon that need not follow the grid.
 struct WallInput {
-  std::string name;          ///< may be empty
-  std::vector<Point2> line;  ///< (x, height) from end to end; in 3d it extends all across y
-  bool rough = false;        ///< soil sticks to it; else it slides along
+  std::string name;             ///< may be empty
+  std::vector<Point2> line;     ///< of a thin wall, (x, height) from end to end; in 3d it extends all across y
+  std::vector<Point2> polygon;  ///< of a body; likewise
+  bool rough = false;           ///< soil sticks to it; else it slides along
+  double friction_angle = 0;    ///< rad, between a body and the soil
   double until = std::numeric_limits<double>::infinity();  ///< s; then it vanishes
   int until_stage = -1;  ///< index into Model::stages; it vanishes as that stage begins; −1: none
 };

@@ -70,7 +70,9 @@ Json boundary_json(const Boundary& b) {
 Json wall_json(const WallInput& w, const Model& model) {
   Json json = Json::object();
   if (!w.name.empty()) json["name"] = w.name;
-  json["line"] = w.line;
+  if (!w.line.empty()) json["line"] = w.line;
+  if (!w.polygon.empty()) json["polygon"] = w.polygon;
+  if (w.friction_angle > 0) json["friction_angle"] = w.friction_angle;
   json["soil"] = w.rough ? "rough" : "smooth";
   if (std::isfinite(w.until)) json["until"] = w.until;
   if (w.until_stage >= 0) json["until_stage"] = model.stages.at(static_cast<std::size_t>(w.until_stage)).name;

@@ -159,6 +159,17 @@ WallInput read_wall(const Fields& f, const Model& model, Diagnostics& diagnostic
   WallInput wall;
   wall.name = f.text("name");
   wall.line = points2(f.find("line"));
+  wall.friction_angle = f.number("friction_angle");
+  wall.polygon = points2(f.find("polygon"));
+  if (f.is_given("line") + f.is_given("polygon") + f.is_given("box") != 1)
+    report(
+        diagnostics, f.place, f.path,
+        f.is_given("line") || f.is_given("polygon") || f.is_given("box") ? "has more than one shape" : "has no shape",
+        "give a line (a thin wall), or a polygon or a box (a body)");
+  if (const Entry* box = f.find("box")) {
+    const Point2 a = point2(box->points[0]), b = point2(box->points[1]);
+    wall.polygon = {a, {b[0], a[1]}, b, {a[0], b[1]}};
+  }
   wall.rough = f.text("soil") == "rough";
   wall.until = f.number("until", wall.until);
   const Entry* until = f.find("until_stage");

@@ -29,8 +29,9 @@ const std::vector<Section> sections = {
      "What happens along a side of the model, along a line of the grid inside it, or in a reservoir. A side without an "
      "entry is a smooth, impermeable wall."},
     {"wall", true, false,
-     "A rigid wall inside the model. Its line lies on the faces of the grid nearest to it, however thin the wall is; "
-     "neither water nor soil crosses it. `until` or `until_stage` makes it a gate."},
+     "A rigid wall inside the model that neither water nor soil crosses: a thin one, a line that lies on the faces of "
+     "the "
+     "grid nearest to it, or a body of any shape, a polygon or a box. `until` or `until_stage` makes it a gate."},
     {"stage", true, true,
      "A span of the run; stages follow each other in the order of the file. Those marked `initial` come first, end at "
      "t = 0, and leave displacements, velocities and plastic strains at zero."},
@@ -148,10 +149,19 @@ std::vector<Key> make_keys() {
        "columns time in s and level in m. Linear between the points, constant beyond."},
       // ---- wall
       {"wall", "name", "", "name", false, "", any, infinity, R"("sheet pile")", "For messages and the report."},
-      {"wall", "line", "", "polyline", true, "", any, infinity, R"([["2 m", "1 m"], ["2 m", "0.3 m"]])",
-       "The wall from end to end. An oblique part is stepped along the grid."},
+      {"wall", "line", "", "polyline", false, "", any, infinity, R"([["2 m", "1 m"], ["2 m", "0.3 m"]])",
+       "A thin wall from end to end. An oblique part is stepped along the grid."},
+      {"wall", "polygon", "", "polygon", false, "", any, infinity,
+       R"([["0 m", "0 m"], ["4 m", "0 m"], ["4 m", "0.2 m"]])",
+       "Outline of a body, such as a sloping bed; it need not follow the grid. Where it overlaps soil or water, the "
+       "body "
+       "keeps its place."},
+      {"wall", "box", "", "box", false, "", any, infinity, R"([["1 m", "0 m"], ["1.3 m", "0.4 m"]])",
+       "Two opposite corners of a rectangular body, instead of a polygon."},
       {"wall", "soil", "", "choice:smooth|rough", false, "smooth", any, infinity, R"("smooth")",
        "Whether soil slides along the wall or sticks to it. Water always slides."},
+      {"wall", "friction_angle", "δ", "angle", false, "0 deg", 0, 1.5533430342749532, R"("20 deg")",
+       "Of soil that slides along a body."},
       {"wall", "until", "", "time", false, "", 0, 3.2e9, R"("2 s")",
        "When the wall vanishes, in time of the event (t = 0 after the initial stages). Left out: it stays."},
       {"wall", "until_stage", "", "name", false, "", any, infinity, R"("rest")",

@@ -51,7 +51,7 @@ std::array<double, 3> direction_of(const WaterPoints<Space>& water, std::size_t 
 template <class Space>
 std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosity, const ResampleRules& rules,
                         std::uint64_t step, std::uint64_t& next_id, WaterPoints<Space>& water,
-                        const ThinWalls<Space>& walls) {
+                        const ThinWalls<Space>& walls, const Bodies<Space>& bodies) {
   std::vector<std::size_t> stretched;
   for (std::size_t p = 0; p < water.size(); ++p)
     if (bulk_volume(lattice, cell_porosity, water, p) >= rules.split_at * rules.nominal) stretched.push_back(p);
@@ -70,6 +70,7 @@ std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosit
         const double gap = wall_gap * lattice.spacing[a];
         to[a] = std::clamp(from[a] + sign * (split_distance * edge * e[a]), gap, lattice.length(a) - gap);
       }
+      if (bodies.any()) bodies.push_out(to);
       if (walls.any()) stop_at_walls(lattice, walls, from, to);
       for (int a = 0; a < Space::axes; ++a) water.position[a][q] = to[a];
     }
@@ -125,9 +126,10 @@ std::size_t merge_water(const Lattice<Space>& lattice, const Array& cell_porosit
 }
 
 template std::size_t split_water(const Lattice<PlaneStrain>&, const Array&, const ResampleRules&, std::uint64_t,
-                                 std::uint64_t&, WaterPoints<PlaneStrain>&, const ThinWalls<PlaneStrain>&);
+                                 std::uint64_t&, WaterPoints<PlaneStrain>&, const ThinWalls<PlaneStrain>&,
+                                 const Bodies<PlaneStrain>&);
 template std::size_t split_water(const Lattice<Solid>&, const Array&, const ResampleRules&, std::uint64_t,
-                                 std::uint64_t&, WaterPoints<Solid>&, const ThinWalls<Solid>&);
+                                 std::uint64_t&, WaterPoints<Solid>&, const ThinWalls<Solid>&, const Bodies<Solid>&);
 template std::size_t merge_water(const Lattice<PlaneStrain>&, const Array&, const ResampleRules&,
                                  WaterPoints<PlaneStrain>&);
 template std::size_t merge_water(const Lattice<Solid>&, const Array&, const ResampleRules&, WaterPoints<Solid>&);

@@ -1,6 +1,7 @@
 #pragma once
 // Water points are split where they have been stretched (water that enters soil fills more bulk volume than its own)
 // and merged where small ones crowd (water that leaves soil).
+#include "polder/grid/bodies.hpp"
 #include "polder/grid/thin_walls.hpp"
 #include "polder/points/point_sets.hpp"
 
@@ -16,11 +17,12 @@ struct ResampleRules {
 };
 
 /// Splits along the velocity (at rest: in a random direction that depends on seed, id and step). `cell_porosity` over
-/// the lattice. The halves stay on their side of `walls`. New points are appended: the set must be sorted again.
+/// the lattice. The halves stay on their side of `walls` and out of
+/// `bodies`. New points are appended: the set must be sorted again.
 template <class Space>
 std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosity, const ResampleRules& rules,
                         std::uint64_t step, std::uint64_t& next_id, WaterPoints<Space>& water,
-                        const ThinWalls<Space>& walls = {});
+                        const ThinWalls<Space>& walls = {}, const Bodies<Space>& bodies = {});
 
 /// Merges the closest pairs of small points of a crowded group, conserving volume, momentum and centre of mass. The set
 /// must be sorted; it stays so.

@@ -75,7 +75,11 @@ Frame frame_of(const Simulation<Space>& run) {
   }
   const auto stands = standing(run.model(), run.stage_number(), run.time());
   for (std::size_t w = 0; w < stands.size(); ++w)
-    if (stands[w])
+    if (stands[w] && !run.model().walls[w].polygon.empty()) {
+      Line2 outline = run.model().walls[w].polygon;
+      outline.push_back(outline.front());
+      frame.walls.push_back(std::move(outline));
+    } else if (stands[w])
       frame.walls.push_back(
           stepped_wall(run.model().walls[w].line, {run.model().cell[0], run.model().cell[Space::up]}).corners);
   if constexpr (Space::axes == 2) frame.water_lines = surface_lines(run);

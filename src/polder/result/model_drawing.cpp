@@ -93,6 +93,10 @@ void draw_monitors(Drawing& drawing, const Panel& panel, const Model& model, std
 
 void draw_walls(Drawing& drawing, const Panel& panel, const Model& model, std::size_t up) {
   for (const WallInput& wall : model.walls) {
+    if (!wall.polygon.empty()) {
+      drawing.add(region_path(panel, {wall.polygon, {}}, rgb(0xb9bec4), Stroke{ink::wall, 1.6, {}}));
+      continue;
+    }
     Path path{{}, false, {}, Stroke{ink::wall, 3, {}}};
     if (is_gate(wall)) path.stroke->dash = {7, 3};
     for (const Point2& p : stepped_wall(wall.line, {model.cell[0], model.cell[up]}).corners)

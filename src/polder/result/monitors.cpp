@@ -132,7 +132,8 @@ double section(const Simulation<Space>& run, const Monitor& monitor) {
       const std::ptrdiff_t f = lattice.index(place[0], place[1], place[2]), before = f - lattice.stride[axis];
       if (!grid.reached[axis][f]) continue;
       const double n = grid.porosity[axis][f];
-      flux += n * std::min(1.0, 0.5 * (grid.fill[f] + grid.fill[before])) * grid.water_velocity[axis][f] *
+      flux += run.state().setup.bodies.open_face(axis, f) * n *
+              std::min(1.0, 0.5 * (grid.fill[f] + grid.fill[before])) * grid.water_velocity[axis][f] *
               lattice.face_area(axis);
       pressure += 0.5 * (grid.pressure[f] + grid.pressure[before]);
       ++wet;

@@ -74,7 +74,7 @@ void Audit<Space>::take(const Stepper<Space>& state, double dt) {
           const double fill = 0.5 * (grid.fill[f] + grid.fill[f - lattice.stride[section.axis]]);
           const double area = balanced ? grid.porosity[section.axis][f] * std::min(1.0, fill)
                                        : grid.water_mass[section.axis][f] / full_of_water;
-          flux += area * grid.water_velocity[section.axis][f];
+          flux += area * state.setup.bodies.open_face(section.axis, f) * grid.water_velocity[section.axis][f];
           if (section.axis == 0) break;
         }
     section.passed += flux * lattice.face_area(section.axis) * dt;
@@ -100,9 +100,8 @@ void Audit<Space>::take(const Stepper<Space>& state, double dt) {
       bool interior = true;
       for (int a = 0; a < Space::axes; ++a) {
         const std::ptrdiff_t s = lattice.stride[a];
-        const auto& walls = state.setup.walls;
-        interior = interior && (at[a] == 0 || walls.blocked(a, cell) || grid.wet[cell - s]) &&
-                   (at[a] == lattice.cells[a] - 1 || walls.blocked(a, cell + s) || grid.wet[cell + s]);
+        interior = interior && (at[a] == 0 || state.setup.shut(a, cell) || grid.wet[cell - s]) &&
+                   (at[a] == lattice.cells[a] - 1 || state.setup.shut(a, cell + s) || grid.wet[cell + s]);
       }
       inside += interior;
       under += interior && grid.fill[cell] < 0.95;

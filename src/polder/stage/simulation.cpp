@@ -46,6 +46,7 @@ void Simulation<Space>::raise_walls() {
   if (now == standing_) return;
   standing_ = std::move(now);
   stepper_.setup.walls = make_thin_walls(model_, stepper_.setup.lattice, standing_);
+  stepper_.setup.bodies = make_bodies(model_, stepper_.setup.lattice, standing_);
 }
 
 /// s until the next gate vanishes: a step ends there.

@@ -73,7 +73,7 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
         const std::ptrdiff_t f = first + i, low = f - s;
         const int place = c == 0 ? at[0] + i : at[c];
         const bool end = place == 0 || place == lattice.cells[c];
-        const bool wall = end || setup.walls.blocked(c, f);
+        const bool wall = end || setup.shut(c, f);
         const bool both_wet = grid.wet[low] && grid.wet[f], beside_wet = grid.wet[low] || grid.wet[f];
         reached[f] = beside_wet && (end || !wall);
         if (soil_mass[f] == 0 && water_mass[f] == 0 && !beside_wet) {
@@ -81,7 +81,9 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
           porosity[f] = 1;
           continue;
         }
-        const double volume = end ? 0.5 * cell_volume : cell_volume;
+        const double open =
+            setup.bodies.any() ? std::max(0.05, 0.5 * (setup.bodies.open_cell(low) + setup.bodies.open_cell(f))) : 1;
+        const double volume = (end ? 0.5 * cell_volume : cell_volume) * open;
         const double solid = grid.solid_volume[low] + grid.solid_volume[f];
         const double rho_s =
             one_material || solid <= 0 ? rho_s0 : (grid.soil_cell_mass[low] + grid.soil_cell_mass[f]) / solid;
@@ -105,10 +107,17 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
         if (vertical) water -= dt * g;
         water *= 1 - std::min(1.0, control.water_damping * dt);
 
-        const bool soil_fixed = wall || all_fixed || place <= setup.soil_box.low[c] || place >= setup.soil_box.high[c];
+        // on the faces that a body closes, soil meets it after the pressure has acted; what water there is carries its
+        // share
+        const bool met = setup.bodies.closed(c, f) && !end && !setup.walls.blocked(c, f);
+        if (met && vertical && has_water) soil += dt * g * rho_w / rho_s;
+        const bool soil_fixed =
+            (wall && !met) || all_fixed || place <= setup.soil_box.low[c] || place >= setup.soil_box.high[c];
         const bool water_fixed = wall || (control.hold_water && !vertical);
         FaceState state{0, 0, 0, 0};
-        if (!has_soil) {
+        if (met) {
+          state.soil = has_soil && !soil_fixed ? soil : 0;
+        } else if (!has_soil) {
           if (!water_fixed) {
             state.water = water;
             state.water_response = -dt / rho_w;
@@ -116,7 +125,7 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
         } else {
           const double linear = 0.5 * (linear_drag[low] + linear_drag[f]);
           const double quadratic = 0.5 * (quadratic_drag[low] + quadratic_drag[f]);
-          const double C = n * n * (linear + quadratic * flux[f]) * inverse_volume * S;
+          const double C = n * n * (linear + quadratic * flux[f]) * (inverse_volume / open) * S;
           state = couple(water, soil, n * rho_w * std::max(S, 1e-6), std::max(soil_mass[f] / volume, 1e-9), C, n, S, dt,
                          water_fixed, soil_fixed, !has_water && !beside_wet);
         }
@@ -140,6 +149,42 @@ void damp_locally(const Setup<Space>& setup, double factor, GridFields<Space>& g
         v -= std::copysign(std::min(factor * std::abs(change), std::abs(v)), v);
       }
     });
+}
+
+template <class Space>
+void meet_bodies(const Setup<Space>& setup, GridFields<Space>& grid) {
+  constexpr int up = Space::up;
+  const auto& lattice = setup.lattice;
+  struct Met {
+    int axis;
+    std::ptrdiff_t face;
+    double velocity;
+  };
+  std::vector<Met> met;
+  for (const int c : {0, up}) {
+    const int other = c == 0 ? up : 0;
+    const std::ptrdiff_t s = lattice.stride[c], t = lattice.stride[other];
+    for (int k = 0; k < (Space::axes == 3 ? lattice.cells[1] : 1); ++k)
+      for (int level = 0; level < lattice.cells[up]; ++level)
+        for (int i = 0; i < lattice.cells[0]; ++i) {
+          const std::ptrdiff_t f = Space::axes == 3 ? lattice.index(i, k, level) : lattice.index(i, level);
+          if (!setup.bodies.near(f)) continue;
+          const BodyContact at = setup.bodies.contact(
+              {(i + (c == 0 ? 0.0 : 0.5)) * lattice.spacing[0], (level + (c == 0 ? 0.5 : 0.0)) * lattice.spacing[up]});
+          if (at.distance >= 0) continue;
+          double v[2];  // x, height
+          v[c != 0] = grid.soil_velocity[c][f];
+          v[c == 0] = 0;
+          for (const std::ptrdiff_t n : {f - s, f, f - s + t, f + t}) v[c == 0] += 0.25 * grid.soil_velocity[other][n];
+          const double into = v[0] * at.normal[0] + v[1] * at.normal[1];
+          if (into >= 0) continue;
+          const double along[2] = {v[0] - into * at.normal[0], v[1] - into * at.normal[1]};
+          const double speed = std::hypot(along[0], along[1]);
+          const double kept = speed > 0 ? std::max(0.0, 1 + at.friction * into / speed) : 0;
+          met.push_back({c, f, kept * along[c != 0]});
+        }
+  }
+  for (const Met& m : met) grid.soil_velocity[m.axis][m.face] = m.velocity;
 }
 
 template <class Space>
@@ -176,6 +221,8 @@ template void predict_faces(const Setup<PlaneStrain>&, const StepControl&, doubl
 template void predict_faces(const Setup<Solid>&, const StepControl&, double, GridFields<Solid>&, Team&);
 template void damp_locally(const Setup<PlaneStrain>&, double, GridFields<PlaneStrain>&, Team&);
 template void damp_locally(const Setup<Solid>&, double, GridFields<Solid>&, Team&);
+template void meet_bodies(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&);
+template void meet_bodies(const Setup<Solid>&, GridFields<Solid>&);
 template void update_discharge(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&, Team&);
 template void update_discharge(const Setup<Solid>&, GridFields<Solid>&, Team&);
 

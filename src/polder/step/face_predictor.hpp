@@ -16,6 +16,11 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
 template <class Space>
 void damp_locally(const Setup<Space>& setup, double factor, GridFields<Space>& grid, Team& team);
 
+/// Lets the soil's velocity meet the bodies: on faces whose centre is inside one it does not go further in, and
+/// friction takes of the motion along the surface what the part that was stopped allows. After extrapolate_soil().
+template <class Space>
+void meet_bodies(const Setup<Space>& setup, GridFields<Space>& grid);
+
 /// q = n(v_w − v_s) on the faces, and |q| for the next step's quadratic drag. After the pressure has acted and ghosts
 /// of the velocities are set.
 template <class Space>

@@ -45,9 +45,36 @@ inline void move(double* x, const double* displacement, int count, double low, d
   for (int l = 0; l < count; ++l) x[l] = std::min(std::max(x[l] + displacement[l], low), high);
 }
 
-/// Moves a chunk's points by `displacement`, held inside the phase's box and, if `walled`, on their side of thin walls.
+template <class Space>
+bool beside_bodies(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, int count) {
+  for (int l = 0; setup.bodies.any() && l < count; ++l)
+    if (setup.bodies.near(cell_index(setup.lattice, chunk, l))) return true;
+  return false;
+}
+
+/// Takes a point that has gone into a body out of it, and what moves it further in off its velocity.
 template <class Space, class Points>
-void move_chunk(const Setup<Space>& setup, const PhaseBox& box, bool walled, std::size_t first, int count,
+void leave_body(const Setup<Space>& setup, const PhaseBox& box, std::size_t p, Points& points) {
+  constexpr int up = Space::up;
+  const auto& lattice = setup.lattice;
+  const BodyContact at = setup.bodies.contact({points.position[0][p], points.position[up][p]});
+  if (at.distance >= 0) return;
+  std::array<double, 3> x{0, 0, 0};
+  for (int a = 0; a < Space::axes; ++a) x[a] = points.position[a][p];
+  setup.bodies.push_out(x);
+  for (int a = 0; a < Space::axes; ++a)
+    points.position[a][p] =
+        std::clamp(x[a], (box.low[a] + wall_gap) * lattice.spacing[a], (box.high[a] - wall_gap) * lattice.spacing[a]);
+  const double into = points.velocity[0][p] * at.normal[0] + points.velocity[up][p] * at.normal[1];
+  if (into >= 0) return;
+  points.velocity[0][p] -= into * at.normal[0];
+  points.velocity[up][p] -= into * at.normal[1];
+}
+
+/// Moves a chunk's points by `displacement`, held inside the phase's box and, if `walled`, on their side of thin walls
+/// and, if `bodied`, out of bodies.
+template <class Space, class Points>
+void move_chunk(const Setup<Space>& setup, const PhaseBox& box, bool walled, bool bodied, std::size_t first, int count,
                 const double (&displacement)[Space::axes][chunk_size], Points& points) {
   const auto& lattice = setup.lattice;
   double before[Space::axes][chunk_size];
@@ -56,8 +83,8 @@ void move_chunk(const Setup<Space>& setup, const PhaseBox& box, bool walled, std
   for (int a = 0; a < Space::axes; ++a)
     move(points.position[a].data() + first, displacement[a], count, (box.low[a] + wall_gap) * lattice.spacing[a],
          (box.high[a] - wall_gap) * lattice.spacing[a]);
-  if (!walled) return;
-  for (int l = 0; l < count; ++l) {
+  for (int l = 0; bodied && l < count; ++l) leave_body(setup, box, first + static_cast<std::size_t>(l), points);
+  for (int l = 0; walled && l < count; ++l) {
     std::array<double, 3> from{0, 0, 0}, to{0, 0, 0};
     for (int a = 0; a < Space::axes; ++a) from[a] = before[a][l], to[a] = points.position[a][first + l];
     stop_at_walls(lattice, setup.walls, from, to);
@@ -122,6 +149,7 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
       const int count = std::min(chunk_size, static_cast<int>(tile.count - done));
       chunk.compute(lattice, pointers_at<Space>(water.position, first), count);
       const bool walled = beside_walls(setup.walls, lattice, chunk, count);
+      const bool bodied = beside_bodies(setup, chunk, count);
       bool in_soil = false;
       for (int l = 0; l < count; ++l) {
         porosity[l] = grid.cell_porosity[cell_index(lattice, chunk, l)];
@@ -143,7 +171,7 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
           motion.drift = std::max(motion.drift, std::abs(displacement[c][l]) * inverse);
         }
       });
-      move_chunk(setup, setup.water_box, walled, first, count, displacement, water);
+      move_chunk(setup, setup.water_box, walled, bodied, first, count, displacement, water);
     }
     return motion;
   });
@@ -166,6 +194,7 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
       chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
       for (int l = 0; l < count; ++l) cell[l] = cell_index(lattice, chunk, l);
       const bool walled = beside_walls(setup.walls, lattice, chunk, count);
+      const bool bodied = beside_bodies(setup, chunk, count);
       over_components<Space>([&]<int c>() {
         gather<c, true>(setup, chunk, walled, count, grid.soil_velocity[c], gathered);
         take_motion<c>(lattice, gathered, first, count, soil);
@@ -180,7 +209,7 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
         }
       });
       motion.drift = motion.speed * dt;
-      move_chunk(setup, setup.soil_box, walled, first, count, displacement, soil);
+      move_chunk(setup, setup.soil_box, walled, bodied, first, count, displacement, soil);
 
       for (int l = 0; l < count;) {
         int last = l;

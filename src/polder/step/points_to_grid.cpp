@@ -122,6 +122,7 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
       std::array<double, 3> x{0, 0, 0};
       for (int d = 0; d < Space::axes; ++d) x[d] = soil.position[d][p];
       const auto add = [&](std::ptrdiff_t cell, double share) {
+        cell = setup.bodies.open_neighbour(cell);
         grid.solid_volume[cell] += share * solid;
         grid.soil_cell_mass[cell] += share * soil.mass[p];
         grid.linear_drag[0][cell] += share * a[0];
@@ -132,7 +133,9 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
         }
       };
       const double half = half_edge<Space>(volume[l], cell_volume);
-      if (walled)
+      if (setup.bodies.open_cell(own) < 1)
+        add(own, 1);  // a cell that a body cuts keeps what is in it
+      else if (walled)
         over_seen_cells(setup.walls, lattice, x, cell_places(chunk, l), half, setup.soil_box.low, setup.soil_box.high,
                         add);
       else
@@ -155,8 +158,10 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
     fold(grid.soil_force[c], c, true, setup.soil_box, lattice);
   }
   over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
-    for (std::ptrdiff_t cell = first; cell < first + count; ++cell)
-      grid.cell_porosity[cell] = std::max(0.2, 1 - grid.solid_volume[cell] / cell_volume);
+    for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
+      const double open = setup.bodies.open_cell(cell);
+      grid.cell_porosity[cell] = open > 0 ? std::max(0.2, 1 - grid.solid_volume[cell] / (cell_volume * open)) : 1;
+    }
   });
 }
 
@@ -183,8 +188,13 @@ void water_to_grid(const Setup<Space>& setup, const WaterPoints<Space>& water, c
       const std::ptrdiff_t own = cell_index(lattice, chunk, l);
       const double bulk = water.volume[p] / grid.cell_porosity[own];
       const double half = std::max(0.1, half_edge<Space>(bulk, cell_volume));
-      const auto add = [&](std::ptrdiff_t cell, double share) { grid.water_volume[cell] += share * water.volume[p]; };
-      if (walled)
+      const bool cut = setup.bodies.open_cell(own) < 1;  // such a cell keeps what is in it
+      const auto add = [&](std::ptrdiff_t cell, double share) {
+        grid.water_volume[setup.bodies.open_neighbour(cell)] += share * water.volume[p];
+      };
+      if (cut)
+        add(own, 1);
+      else if (walled)
         over_seen_cells(setup.walls, lattice, x, cell_places(chunk, l), half, setup.water_box.low, setup.water_box.high,
                         add);
       else
@@ -206,7 +216,8 @@ void water_to_grid(const Setup<Space>& setup, const WaterPoints<Space>& water, c
   }
   over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
     for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
-      grid.fill[cell] = grid.water_volume[cell] / (grid.cell_porosity[cell] * cell_volume);
+      const double open = setup.bodies.open_cell(cell);
+      grid.fill[cell] = open > 0 ? grid.water_volume[cell] / (grid.cell_porosity[cell] * cell_volume * open) : 0;
       grid.wet[cell] = grid.fill[cell] > setup.numerics.wet_threshold;
     }
   });

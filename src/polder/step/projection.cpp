@@ -113,7 +113,7 @@ void extrapolate_soil(const Setup<Space>& setup, GridFields<Space>& grid, Team& 
       for (std::ptrdiff_t f = first; f < first + count; ++f)
         known[f] = grid.soil_mass[c][f] > 0 && !setup.walls.blocked(c, f);
     });
-    spread(lattice, setup.walls, c, known, 1, grid.soil_velocity[c], grid, team);
+    spread(lattice, setup.walls, c, known, setup.bodies.any() ? 2 : 1, grid.soil_velocity[c], grid, team);
   }
 }
 
@@ -126,8 +126,9 @@ SolveResult project(const Setup<Space>& setup, double dt, GridFields<Space>& gri
     return surface_distance(grid.fill[wet], grid.fill[dry]);
   };
   assemble(
-      setup, grid, solver.matrix, team, [&](int a, std::ptrdiff_t f) { return grid.mobility[a][f]; }, distance,
-      [&](std::ptrdiff_t cell) { return storage * grid.cell_porosity[cell]; });
+      setup, grid, solver.matrix, team,
+      [&](int a, std::ptrdiff_t f) { return grid.mobility[a][f] * setup.bodies.open_face(a, f); }, distance,
+      [&](std::ptrdiff_t cell) { return storage * grid.cell_porosity[cell] * setup.bodies.open_cell(cell); });
 
   over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
     for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
@@ -139,11 +140,12 @@ SolveResult project(const Setup<Space>& setup, double dt, GridFields<Space>& gri
       for (int a = 0; a < Space::axes; ++a) {
         const auto flux = [&](std::ptrdiff_t f) {
           const double n = grid.porosity[a][f];
-          return n * grid.water_velocity[a][f] + (1 - n) * grid.soil_velocity[a][f];
+          return setup.bodies.open_face(a, f) * (n * grid.water_velocity[a][f] + (1 - n) * grid.soil_velocity[a][f]);
         };
         divergence += lattice.face_area(a) * (flux(cell + lattice.stride[a]) - flux(cell));
       }
-      solver.right_side[cell] = storage * grid.cell_porosity[cell] * grid.pressure[cell] - divergence;
+      solver.right_side[cell] =
+          storage * grid.cell_porosity[cell] * setup.bodies.open_cell(cell) * grid.pressure[cell] - divergence;
     }
   });
   const SolveResult result = solver.solve(grid.rows, grid.pressure, setup.numerics.pressure_tolerance, 400, team);
@@ -200,7 +202,8 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
   // water does not respond to a pressure gradient where it is held: at walls, at gates
   const auto closed = [&](int a, std::ptrdiff_t f) { return grid.water_response[a][f] == 0; };
   assemble(
-      setup, grid, solver.matrix, team, [&](int a, std::ptrdiff_t f) { return closed(a, f) ? 0 : grid.porosity[a][f]; },
+      setup, grid, solver.matrix, team,
+      [&](int a, std::ptrdiff_t f) { return closed(a, f) ? 0 : grid.porosity[a][f] * setup.bodies.open_face(a, f); },
       [](std::ptrdiff_t, std::ptrdiff_t) { return 0.5; }, [](std::ptrdiff_t) { return 0.0; });
   const double volume = lattice.cell_volume();
   const double floor = 1e-6 * volume / (lattice.smallest_spacing() * lattice.smallest_spacing());
@@ -214,13 +217,13 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
       bool inside = true;
       for (int a = 0; a < Space::axes; ++a) {
         const std::ptrdiff_t s = lattice.stride[a];
-        inside = inside && (at[a] == 0 || setup.walls.blocked(a, cell) || grid.wet[cell - s]) &&
-                 (at[a] == lattice.cells[a] - 1 || setup.walls.blocked(a, cell + s) || grid.wet[cell + s]);
+        inside = inside && (at[a] == 0 || setup.shut(a, cell) || grid.wet[cell - s]) &&
+                 (at[a] == lattice.cells[a] - 1 || setup.shut(a, cell + s) || grid.wet[cell + s]);
       }
       double error = grid.fill[cell] - 1;
       if (!inside) error = std::max(0.0, error);
-      solver.right_side[cell] =
-          setup.numerics.volume_correction * grid.cell_porosity[cell] * volume * std::clamp(error, -0.5, 0.5);
+      solver.right_side[cell] = setup.numerics.volume_correction * grid.cell_porosity[cell] * volume *
+                                setup.bodies.open_cell(cell) * std::clamp(error, -0.5, 0.5);
     }
   });
   const SolveResult result = solver.solve(grid.rows, grid.potential, 1e-2, 60, team);

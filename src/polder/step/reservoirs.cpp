@@ -34,7 +34,7 @@ std::vector<Column> columns_of(const Setup<Space>& setup, const Reservoir<Space>
     column.cells.push_back(cell);
     const double below = std::clamp(head / lattice.spacing[up] - cell[up], 0.0, 1.0);
     const std::ptrdiff_t index = lattice.index(cell[0], cell[1], cell[2]);
-    column.target += below * grid.cell_porosity[index] * lattice.cell_volume();
+    column.target += below * grid.cell_porosity[index] * lattice.cell_volume() * setup.bodies.open_cell(index);
     column.stored +=
         grid.water_volume[index];  // by boxes: points that cross the edge side by side count little by little
   }
@@ -59,8 +59,8 @@ std::pair<std::array<int, 3>, double> surface_of(const Setup<Space>& setup, cons
                                                  const GridFields<Space>& grid) {
   double left = column.stored;
   for (const auto& cell : column.cells) {
-    const double pores =
-        grid.cell_porosity[setup.lattice.index(cell[0], cell[1], cell[2])] * setup.lattice.cell_volume();
+    const std::ptrdiff_t index = setup.lattice.index(cell[0], cell[1], cell[2]);
+    const double pores = grid.cell_porosity[index] * setup.lattice.cell_volume() * setup.bodies.open_cell(index);
     if (left < pores) return {cell, (cell[Space::up] + std::max(left, 0.0) / pores) * setup.lattice.spacing[Space::up]};
     left -= pores;
   }

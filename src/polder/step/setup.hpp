@@ -6,6 +6,7 @@
 
 #include "polder/boundary/reservoir.hpp"
 #include "polder/case/model.hpp"
+#include "polder/grid/bodies.hpp"
 #include "polder/grid/lattice.hpp"
 #include "polder/grid/thin_walls.hpp"
 #include "polder/grid/walls.hpp"
@@ -28,6 +29,7 @@ struct Setup {
   Lattice<Space> lattice;
   PhaseBox soil_box, water_box;
   ThinWalls<Space> walls;  ///< those that stand now
+  Bodies<Space> bodies;    ///< likewise
   std::vector<SoilMaterial> materials;
   WaterProperties water;
   std::vector<Reservoir<Space>> reservoirs;
@@ -36,6 +38,9 @@ struct Setup {
   int points_per_axis = 2;   ///< of a full cell at the start
   bool anisotropic = false;  ///< some material drains differently in the vertical
   double soil_step = 1e300;  ///< s, CFL limit of the drained P-wave
+
+  /// Whether nothing crosses this face, for a thin wall or a body that covers it.
+  bool shut(int axis, std::ptrdiff_t face) const { return walls.blocked(axis, face) || bodies.closed(axis, face); }
 
   double nominal_point_volume() const {
     double v = lattice.cell_volume();

@@ -85,7 +85,7 @@ void Stepper<Space>::resample() {
   rules.points_per_cell = static_cast<int>(std::lround(std::pow(setup.points_per_axis, Space::axes)));
   rules.seed = setup.numerics.seed;
   const std::size_t split =
-      split_water(setup.lattice, grid.cell_porosity, rules, step, next_water_id, water, setup.walls);
+      split_water(setup.lattice, grid.cell_porosity, rules, step, next_water_id, water, setup.walls, setup.bodies);
   if (split > 0 || drift_water > largest_drift) {
     sort_water();
     if (merge_water(setup.lattice, grid.cell_porosity, rules, water) > 0) sort_water();
@@ -114,6 +114,7 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   if (control.local_damping > 0) damp_locally(setup, control.local_damping, grid, team);
   extrapolate_water(setup, grid, grid.water_velocity, true, team);
   extrapolate_soil(setup, grid, team);
+  if (setup.bodies.any()) meet_bodies(setup, grid);
   for (int c = 0; c < Space::axes; ++c) {
     if (control.hold_water && c != Space::up)
       std::fill(grid.water_velocity[c].begin(), grid.water_velocity[c].end(), 0.0);
