@@ -101,7 +101,7 @@ duration = "10 s"
   };
   const double before = left_of();
   while (!run.finished()) run.advance();
-  EXPECT_EQ(left_of(), before);
+  EXPECT_NEAR(left_of(), before, 1e-12);  // summed in another order
   for (std::size_t p = 0; p < run.state().water.size(); ++p)
     ASSERT_GT(
         run.state().setup.bodies.contact({run.state().water.position[0][p], run.state().water.position[1][p]}).distance,
