@@ -1,22 +1,15 @@
 // polder stability CASE: factors of safety by every method, beside the references of the case.
 #include <fmt/format.h>
 
-#include <chrono>
-#include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <nlohmann/json.hpp>
-#include <optional>
 
+#include "case_argument.hpp"
 #include "commands.hpp"
-#include "polder/case/locate.hpp"
-#include "polder/case/reader.hpp"
-#include "polder/stability/check_section.hpp"
-#include "polder/stability/expected.hpp"
-#include "polder/stability/methods.hpp"
-#include "polder/stability/reliability.hpp"
-#include "polder/stability/section_from_model.hpp"
+#include "polder/report/stability_page.hpp"
+#include "polder/result/atomic_file.hpp"
+#include "polder/result/output_error.hpp"
+#include "polder/stability/assessment_json.hpp"
 
 namespace polder::cli {
 namespace {
@@ -24,18 +17,11 @@ namespace {
 using namespace stability;
 
 struct Options {
-  std::string name, method = "all", json;
-  bool slices = false, probability = false;
-};
-
-struct Row {
-  std::string method, remark, problem;
-  double factor = 0, seconds = 0;
-  std::optional<ExpectedFactor> expected;
-  bool pass() const {
-    return problem.empty() &&
-           (!expected || std::abs(factor - expected->reference) <= expected->tolerance * expected->reference);
-  }
+  std::string name, method = "all", json, report;
+  std::vector<std::string> overrides;
+  AssessmentDetails details;
+  bool probability = false;
+  int samples = 0;
 };
 
 std::vector<const StabilityMethod*> chosen_methods(const std::string& name) {
@@ -48,31 +34,11 @@ std::vector<const StabilityMethod*> chosen_methods(const std::string& name) {
   return chosen;
 }
 
-Study read(const std::string& name) {
-  const auto file = find_case(name);
-  if (!file)
-    throw Failure(status_wrong_input,
-                  fmt::format("'{}' is neither a case file nor a shipped case; 'polder list' shows those", name));
-  ReadResult result = read_case(file->string());
-  if (!result.diagnostics.empty()) std::cerr << format(result.diagnostics);
-  if (!result.ok()) throw Failure(status_wrong_input, file->string() + ": the case is wrong, see above");
-  return {std::move(result.model), std::move(result.stability)};
-}
-
-PreparedSection prepare_or_refuse(Section section, const std::string& file) {
-  try {
-    return prepare(std::move(section));
-  } catch (const std::invalid_argument& error) {
-    throw Failure(status_wrong_input, file + ": " + error.what());
-  }
-}
-
-Section section_or_refuse(const Study& study) {
-  try {
-    return section_from_model(study.model, study.input);
-  } catch (const std::invalid_argument& error) {
-    throw Failure(status_wrong_input, study.model.file + ": " + error.what());
-  }
+Study read(const Options& options) {
+  ReadResult result = read_case(find_case_file(options.name), options.overrides);
+  std::cerr << format(result.diagnostics);
+  if (!result.ok()) throw Failure(status_wrong_input, "the case is wrong; nothing was written");
+  return {std::move(result.model), std::move(result.stability), std::move(result.seepage)};
 }
 
 void print_slices(const Slices& slices) {
@@ -84,98 +50,90 @@ void print_slices(const Slices& slices) {
                s.effective_stress / 1e3, s.cohesion / 1e3, s.tan_friction);
 }
 
-void print_table(const std::vector<Row>& rows) {
-  fmt::print("{:<24}{:>8}{:>11}{:>11}{:>6}{:>9}  {}\n", "method", "F", "reference", "tolerance", "", "seconds",
+void print_head(std::size_t width) {
+  fmt::print("{:<{}}{:>8}{:>11}{:>11}{:>6}{:>9}  {}\n", "method", width, "F", "reference", "tolerance", "", "seconds",
              "surface");
-  for (const Row& row : rows) {
-    const std::string factor = row.problem.empty() ? fmt::format("{:.3f}", row.factor) : "–";
-    const std::string reference = row.expected ? fmt::format("{:.3f}", row.expected->reference) : "";
-    const std::string tolerance = row.expected ? fmt::format("{:.1f} %", row.expected->tolerance * 100) : "";
-    const char* verdict = !row.expected ? "" : row.pass() ? "ok" : "OUT";
-    fmt::print("{:<24}{:>8}{:>11}{:>11}{:>6}{:>9.2f}  {}\n", row.method, factor, reference, tolerance, verdict,
-               row.seconds, row.problem.empty() ? row.remark : row.problem.substr(0, row.problem.find('\n')));
-  }
 }
 
-void write_json(const std::string& file, const std::string& name, const std::vector<Row>& rows) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Row& row : rows) {
-    nlohmann::ordered_json entry{{"case", name}, {"method", row.method}};
-    entry["factor_of_safety"] = row.problem.empty() ? nlohmann::ordered_json(row.factor) : nullptr;
-    entry["reference"] = row.expected ? nlohmann::ordered_json(row.expected->reference) : nullptr;
-    entry["tolerance"] = row.expected ? nlohmann::ordered_json(row.expected->tolerance) : nullptr;
-    entry["pass"] = row.pass();
-    entry["seconds"] = row.seconds;
-    if (!row.problem.empty()) entry["problem"] = row.problem;
-    list.push_back(entry);
-  }
-  if (file == "-") {
-    std::cout << list.dump(2) << '\n';
-    return;
-  }
-  std::ofstream out(file);
-  out << list.dump(2) << '\n';
-  if (!out.flush()) throw Failure(status_not_written, file + ": could not be written");
+void print_row(const Factor& row, std::size_t width) {
+  const std::string factor = row.outcome ? fmt::format("{:.3f}", row.factor) : "–";
+  const std::string reference = row.expected ? fmt::format("{:.3f}", row.expected->reference) : "";
+  const std::string tolerance = row.expected ? fmt::format("{:.1f} %", row.expected->tolerance * 100) : "";
+  const char* verdict = !row.expected ? "" : row.pass() ? "ok" : "OUT";
+  const std::string& problem = row.outcome.problem;
+  fmt::print("{:<{}}{:>8}{:>11}{:>11}{:>6}{:>9.2f}  {}\n", row.label, width, factor, reference, tolerance, verdict,
+             row.seconds, row.outcome ? row.outcome.remark : problem.substr(0, problem.find('\n')));
+  std::fflush(stdout);
 }
 
-void print_probability(const Study& study, const PreparedSection& prepared, const StabilityMethod& method) {
-  const std::vector<Uncertainty> uncertain = uncertainties(study.model, study.input);
-  if (uncertain.empty())
-    throw Failure(status_wrong_input,
-                  study.model.file + ": nothing is uncertain; give strength.variation or stability.head_deviation");
-  Section base = prepared.section;
-  for (const PreparedSection& before : prepared.before) base.before.push_back(before.section);
-  const FactorOf factor = [&](const Section& section) {
-    const Outcome outcome = method.run(study, prepare(section));
-    return outcome ? outcome.factor : std::nan("");
-  };
-  const Reliability result = form(base, uncertain, factor);
-  fmt::print("\nFORM with {}: reliability index {:.3f}, probability of failure {:.3g}{}\n", method.name, result.index,
-             result.probability, result.converged ? "" : " (not converged)");
-  for (std::size_t i = 0; i < uncertain.size(); ++i)
-    fmt::print("  {:<32} influence {:.2f}, at failure {:+.2f} standard deviations\n", uncertain[i].name,
-               result.influence[i], result.design_point[i]);
-}
-
-bool has_design_values(const PartialFactors& f) {
-  return f.cohesion != 1 || f.tan_friction != 1 || f.undrained != 1 || f.load != 1 || f.model != 1;
+void print_details(const Assessment& all, const AssessmentDetails& details) {
+  for (const Factor& row : all.factors) {
+    const bool surface = row.outcome.search && *row.outcome.search;
+    if (details.slices && surface) {
+      fmt::print("\nSlices of {}:\n", row.label);
+      print_slices(row.outcome.search->slices);
+    }
+    if (details.contours && surface && !row.outcome.search->contours.empty()) {
+      fmt::print("\nLeast factor with each centre, {}:\n{:>10}{:>10}{:>10}\n", row.label, "x (m)", "y (m)", "F");
+      for (const CentreFactor& c : row.outcome.search->contours)
+        fmt::print("{:10.2f}{:10.2f}{:10.3f}\n", c.centre[0], c.centre[1], c.factor);
+    }
+    if (details.curve && row.outcome.reduction) {
+      fmt::print("\nStrength reduction, {}:\n{:>8}{:>18}\n", row.label, "F", "displacement (m)");
+      for (const auto& p : row.outcome.reduction->result.curve)
+        fmt::print("{:8.3f}{:18.4g}{}\n", p.factor, p.displacement,
+                   p.converged && !p.runs_away ? "" : "  no equilibrium");
+    }
+  }
+  for (const Probability& p : all.probabilities) {
+    const Reliability& r = p.reliability;
+    fmt::print("\n{} with {}: reliability index {:.3f}, probability of failure {:.3g}{}{}\n", p.kind, p.method, r.index,
+               r.probability, p.kind == "FORM" ? "" : fmt::format(" ± {:.2g}, {} samples", r.deviation, r.evaluations),
+               r.converged ? "" : " (not converged)");
+    for (std::size_t i = 0; i < r.influence.size(); ++i)
+      fmt::print("  {:<32} influence {:.2f}, at failure {:+.2f} standard deviations\n", p.uncertain[i], r.influence[i],
+                 r.design_point[i]);
+  }
 }
 
 int run(const Options& options) {
-  const std::vector<const StabilityMethod*> methods = chosen_methods(options.method);
-  const Study study = read(options.name);
-  const Model& model = study.model;
-  const Section section = section_or_refuse(study);
-  const PreparedSection prepared = prepare_or_refuse(section, model.file);
-  for (const std::string& note : notes(prepared)) std::cerr << "note: " << note << '\n';
-  const auto expected = expected_factors(std::filesystem::path(model.file).parent_path() / "expected.toml");
-
-  std::vector<Row> rows;
-  const auto compute = [&](const StabilityMethod& method, const PreparedSection& on, const std::string& label,
-                           double over) {
-    const auto start = std::chrono::steady_clock::now();
-    const Outcome outcome = method.run(study, on);
-    Row row{label, outcome.remark, outcome.problem, outcome.factor / over, 0, {}};
-    row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    for (const ExpectedFactor& e : expected)
-      if (e.method == label) row.expected = e;
-    rows.push_back(row);
-    if (!outcome.problem.empty()) std::cerr << "polder: " << label << ": " << outcome.problem << '\n';
-    if (options.slices && outcome.search && *outcome.search) print_slices(outcome.search->slices);
-  };
-  for (const StabilityMethod* method : methods) {
-    // Of several methods, those that the case does not expect are still shown.
-    compute(*method, prepared, std::string(method->name), 1);
-    const PartialFactors& factors = study.input.partial_factors;
-    if (has_design_values(factors))
-      compute(*method, prepare(design_section(section, factors)), std::string(method->name) + " (design)",
-              factors.model);
+  const Study study = read(options);
+  AssessmentOptions asked{chosen_methods(options.method), options.details.contours || !options.report.empty(),
+                          options.probability, options.samples};
+  const auto expected = expected_factors(std::filesystem::path(study.model.file).parent_path() / "expected.toml");
+  const bool quiet = options.json == "-";
+  constexpr std::size_t width = 32;
+  bool headed = false;
+  Assessment all;
+  try {
+    all = assess(study, asked, expected, [&](const Factor& row) {
+      if (!quiet && !headed) print_head(width), headed = true;
+      if (!quiet) print_row(row, width);
+      if (!row.outcome) std::cerr << "polder: " << row.label << ": " << row.outcome.problem << '\n';
+    });
+  } catch (const std::invalid_argument& error) {
+    throw Failure(status_wrong_input, study.model.file + ": " + error.what());
+  } catch (const std::runtime_error& error) {
+    throw Failure(status_failed, study.model.file + ": " + error.what());
   }
-  if (options.json != "-") print_table(rows);
-  if (options.probability) print_probability(study, prepared, *methods.front());
-  if (!options.json.empty()) write_json(options.json, model.name, rows);
+  for (const std::string& note : all.notes) std::cerr << "note: " << note << '\n';
+  if (!quiet) print_details(all, options.details);
+  try {
+    if (quiet)
+      std::cout << assessment_json(all, options.details).dump(2) << '\n';
+    else if (!options.json.empty())
+      write_atomically(options.json, assessment_json(all, options.details).dump(2) + "\n");
+    if (!options.report.empty()) {
+      make_folder(options.report);
+      const auto page = std::filesystem::path(options.report) / "stability.html";
+      write_atomically(page, stability_page(all, POLDER_VERSION));
+      std::cerr << "The page is " << page.string() << '\n';
+    }
+  } catch (const OutputError& error) {
+    throw Failure(status_not_written, error.what());
+  }
   bool good = true, found = false;
-  for (const Row& row : rows) good = good && (!row.expected || row.pass()), found = found || row.problem.empty();
+  for (const Factor& row : all.factors) good = good && (!row.expected || row.pass()), found = found || row.outcome;
   return !found ? status_failed : good ? status_done : status_outside_tolerance;
 }
 
@@ -183,16 +141,31 @@ int run(const Options& options) {
 
 void add_stability(CLI::App& polder, Action& action) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = add_command(polder, "stability", "Factor of safety of a section by limit equilibrium",
-                                  "polder stability acads-1a\n"
-                                  "polder stability griffiths-lane-1 --method bishop --slices\n"
-                                  "polder stability acads-1c --json factors.json");
-  command->add_option("CASE", options->name, "Case file or name of a shipped case")->required();
+  CLI::App* command =
+      add_command(polder, "stability", "Factor of safety of a section by limit equilibrium and finite elements",
+                  "polder stability acads-1a\n"
+                  "polder stability griffiths-lane-1 --method bishop --slices\n"
+                  "polder stability acads-1c --method srm --curve --report acads-1c\n"
+                  "polder stability acads-1c --json factors.json");
+  command->add_option("CASE", options->name, "A case file, a folder with a case.toml, or a shipped case")->required();
   command->add_option("--method", options->method, stability_method_names() + ", or all")->type_name("NAME");
+  command->add_option("--set", options->overrides, "Override one key, such as material.sand.friction_angle=\"36 deg\"")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
   command->add_option("--json", options->json, "Write the rows to this file as well (-: to the screen instead)")
       ->type_name("FILE");
-  command->add_flag("--slices", options->slices, "Print the slices of each surface");
+  command->add_option("--report", options->report, "Write stability.html, with pictures, into this folder")
+      ->type_name("DIR");
+  command->add_flag("--slices", options->details.slices, "Print the slices of each surface; they go into the JSON too");
+  command->add_flag("--contours", options->details.contours,
+                    "Least factor with each centre of a grid of circles (Bishop)");
+  command->add_flag("--curve", options->details.curve, "Displacement at every factor that strength reduction tried");
   command->add_flag("--probability", options->probability, "Reliability index by FORM, with the first of the methods");
+  command
+      ->add_option("--monte-carlo", options->samples,
+                   "Probability of failure by so many samples, with the first method")
+      ->type_name("SAMPLES")
+      ->check(CLI::Range(1, 10000000));
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 

@@ -179,4 +179,16 @@ TEST(MeshLocator, InterpolatesQuadraticFieldsExactly) {
   EXPECT_LT(locator.find({3.9, 1.9}).triangle, 0);
 }
 
+TEST(Mesh, ASideMayPassOverTheVerticesOfALine) {
+  MeshRequest request;
+  request.polygons = {{{0, 0}, {3, 0}, {3, 1}, {0, 1}}};
+  request.size = 0.7;
+  const Mesh mesh = make_mesh(request);
+  const std::vector<Point2> base{{0, 0}, {1.234, 0}, {1.777, 0}, {3, 0}};
+  double length = 0;
+  for (const polder::MeshEdge& side : outline(mesh))
+    if (side_lies_on(mesh, side, base, 1e-6)) length += std::abs(mesh.nodes[side.b][0] - mesh.nodes[side.a][0]);
+  EXPECT_NEAR(length, 3, 1e-9);
+}
+
 }  // namespace

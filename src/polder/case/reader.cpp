@@ -7,6 +7,7 @@
 
 #include "polder/case/document.hpp"
 #include "polder/case/sections.hpp"
+#include "polder/case/seepage_section.hpp"
 #include "polder/case/stability_section.hpp"
 
 namespace polder {
@@ -283,6 +284,7 @@ ReadResult read_case(const std::string& path, const std::vector<std::string>& ov
   read_initial(sections.initial, model);
   read_output(sections.output, model.output);
   read_numerics(sections.numerics, model.numerics);
+  result.seepage = read_seepage(sections, model, diagnostics);
   result.stability = read_stability(sections, model, diagnostics);
   check_model(sections, model, diagnostics);
   check_limits(sections, model, diagnostics);

@@ -5,6 +5,7 @@
 
 #include "polder/case/diagnostic.hpp"
 #include "polder/case/model.hpp"
+#include "polder/case/seepage_input.hpp"
 #include "polder/case/stability_input.hpp"
 
 namespace polder {
@@ -12,6 +13,7 @@ namespace polder {
 struct ReadResult {
   Model model;                 ///< complete where there are no errors; else what could be read
   stability::Input stability;  ///< what the factor of safety needs beyond the model
+  SeepageInput seepage;        ///< what seepage needs beyond it
   Diagnostics diagnostics;
   bool ok() const { return !has_errors(diagnostics); }
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polder/case/seepage_section.hpp"
 #include "polder/case/stability_section.hpp"
 #include "polder/math/units.hpp"
 
@@ -38,6 +39,13 @@ const std::vector<Section> sections = {
     {"monitor", true, false, "A quantity that history.csv records."},
     {"output", false, false, "How often what is written."},
     {"numerics", false, false, "Choices of the method; docs/theory.md argues for the defaults."},
+    {"seepage", false, false,
+     "Seepage by finite elements (`polder seepage`, and `polder stability` where it takes pressures from there): mesh "
+     "and instants. Heads and faces come from the model's water and boundaries unless a `[[seepage_boundary]]` says "
+     "otherwise."},
+    {"retention", true, false, "How a material holds and conducts water under suction, for seepage."},
+    {"seepage_boundary", true, false,
+     "A condition for seepage along a part of the soil's outline, in place of what the model says there."},
     {"stability", false, false,
      "The factor of safety (`polder stability`): water, loads and slip surfaces beyond what the simulation needs."},
     {"strength", true, false, "Strength and weights of a material for the factor of safety, in place of its law's."},
@@ -245,6 +253,7 @@ const std::vector<Section>& case_sections() { return sections; }
 const std::vector<Key>& case_keys() {
   static const std::vector<Key> keys = [] {
     std::vector<Key> all = make_keys();
+    for (Key& key : seepage_keys()) all.push_back(std::move(key));
     for (Key& key : stability_keys()) all.push_back(std::move(key));
     return all;
   }();

@@ -142,6 +142,9 @@ Sections read_sections(const Value& document, Diagnostics& diagnostics) {
     if (section.name == "strength") sections.strengths = all();
     if (section.name == "head_line") sections.head_lines = all();
     if (section.name == "load") sections.loads = all();
+    if (section.name == "seepage") sections.seepage = one();
+    if (section.name == "retention") sections.retentions = all();
+    if (section.name == "seepage_boundary") sections.seepage_boundaries = all();
     if (section.name == "material") {
       for (std::size_t i = 0; i < tables.size(); ++i) {
         const LawDescription* law = nullptr;

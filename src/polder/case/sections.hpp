@@ -9,8 +9,9 @@
 namespace polder::case_file {
 
 struct Sections {
-  Fields model, water, initial, output, numerics, stability;
-  std::vector<Fields> materials, soils, free_water, boundaries, walls, stages, monitors, strengths, head_lines, loads;
+  Fields model, water, initial, output, numerics, stability, seepage;
+  std::vector<Fields> materials, soils, free_water, boundaries, walls, stages, monitors, strengths, head_lines, loads,
+      retentions, seepage_boundaries;
   std::vector<const LawDescription*> laws;  ///< of the materials; nullptr where unknown
 };
 

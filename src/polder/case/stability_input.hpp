@@ -127,6 +127,9 @@ struct SlipLimits {
   std::vector<std::vector<Point>> forbidden_zones;  ///< polygons that it may not enter
 };
 
+/// Where pore pressures come from: the lines of the case, or a seepage computation.
+enum class PressureSource { water_net, seepage, both };
+
 enum class Movement { automatic, left, right };
 
 struct CircleGrid {
@@ -182,6 +185,7 @@ struct Input {
   std::vector<MaterialStrength> strengths;
   Line phreatic;  ///< empty: the model's water table
   std::vector<ReferenceLine> heads;
+  PressureSource pressures = PressureSource::water_net;
   double max_suction = 0;     ///< Pa
   Line daily_phreatic;        ///< of the state to which preconsolidation refers; empty: the same water
   double head_deviation = 0;  ///< m, standard deviation of all heads, for the probabilistic run
@@ -195,6 +199,8 @@ struct Input {
   std::optional<UpliftVanPlane> plane;  ///< one Uplift-Van surface to compute
   Line surface;                         ///< one free surface to compute; empty: search
   PartialFactors partial_factors;
+  Line fixed_line;           ///< strength reduction holds the outline along it
+  double fem_triangles = 0;  ///< of strength reduction; 0: its own number
 };
 
 }  // namespace polder::stability

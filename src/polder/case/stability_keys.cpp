@@ -9,6 +9,14 @@ std::vector<Key> stability_keys() {
   return {
       {"stability", "movement", "", "choice:automatic|left|right", false, "automatic", any, infinity, R"("right")",
        "Direction of sliding; automatic: from the higher end of a slip surface to the lower."},
+      {"stability", "pressures", "", "choice:water-net|seepage|both", false, "water-net", any, infinity,
+       R"("water-net")",
+       "Pore pressures from the lines of the case, from its seepage by finite elements (`[seepage]`), or a factor for "
+       "each (strength reduction: from seepage)."},
+      {"stability", "fixed_line", "", "polyline", false, "", any, infinity, R"([["0 m", "0 m"], ["2 m", "1 m"]])",
+       "Strength reduction holds the part of the soil's outline on this line (a slope under a membrane, a wall)."},
+      {"stability", "triangles", "", "count", false, "0", 0, 100000, "4000",
+       "About so many triangles for strength reduction; 0: 2000."},
       {"stability", "phreatic_line", "", "polyline", false, "", any, infinity, R"([["0 m", "1 m"], ["4 m", "0 m"]])",
        "Water table, [x, height] from left to right. Left out: `initial.water_table`."},
       {"stability", "daily_phreatic_line", "", "polyline", false, "", any, infinity,

@@ -92,6 +92,12 @@ stability::Input read_stability(const Sections& sections, const Model& model, Di
     input.strengths.push_back(read_strength(strength, model, diagnostics));
   input.phreatic = line_of(f, "phreatic_line");
   input.daily_phreatic = line_of(f, "daily_phreatic_line");
+  const std::string pressures = f.text("pressures");
+  input.pressures = pressures == "seepage" ? PressureSource::seepage
+                    : pressures == "both"  ? PressureSource::both
+                                           : PressureSource::water_net;
+  input.fixed_line = line_of(f, "fixed_line");
+  input.fem_triangles = f.number("triangles");
   input.max_suction = f.number("suction");
   input.head_deviation = f.number("head_deviation");
   for (const Fields& head : sections.head_lines) {

@@ -55,6 +55,9 @@ FlowSolver::FlowSolver(FlowProblem problem) : problem_(std::move(problem)) {
       pieces_.push_back(piece);
     }
   }
+  conductance_.assign(mesh.nodes.size(), 0);
+  for (const Piece& piece : pieces_)
+    for (int i = 0; i < 3; ++i) conductance_[piece.node[i]] += piece.conductance[i][i];
 
   double size = 0;
   for (const auto& p : mesh.nodes) size = std::max({size, std::abs(p[0]), std::abs(p[1])});
@@ -86,11 +89,7 @@ FlowSolver::FlowSolver(FlowProblem problem) : problem_(std::move(problem)) {
       return it->second;
     };
     for (const auto& side : sides) {
-      bool on = false;
-      for (std::size_t i = 0; i + 1 < boundary.line.size() && !on; ++i)
-        on = distance_to_segment(mesh.nodes[side.a], boundary.line[i], boundary.line[i + 1]) < 1e-5 * size &&
-             distance_to_segment(mesh.nodes[side.b], boundary.line[i], boundary.line[i + 1]) < 1e-5 * size;
-      if (!on) continue;
+      if (!side_lies_on(mesh, side, boundary.line, 1e-5 * size)) continue;
       const double half =
           std::hypot(mesh.nodes[side.a][0] - mesh.nodes[side.b][0], mesh.nodes[side.a][1] - mesh.nodes[side.b][1]) / 2;
       for (const auto& [a, b] : {std::pair{side.a, side.middle}, {side.middle, side.b}}) {
@@ -218,7 +217,8 @@ bool FlowSolver::step(FlowState& state, double dt, const FlowOptions& options, i
     for (int n = 0; n < count; ++n) {
       if (condition[n].kind != NodeCondition::face) continue;
       const bool opens = !exit[n] && h[n] > mesh.nodes[n][1] + options.tolerance;
-      const bool closes = exit[n] && r[n] - condition[n].rain > 0;
+      // Inflow below what the tolerance in head can cause is round-off, and would set off a cycle.
+      const bool closes = exit[n] && r[n] - condition[n].rain > options.tolerance * conductance_[n];
       if (!opens && !closes) continue;
       changed = true;
       if (++switches[n] > 8) continue;  // in a cycle: leave it, and let the step fail unless the others free it

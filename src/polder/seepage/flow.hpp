@@ -110,6 +110,7 @@ class FlowSolver {
   FlowProblem problem_;
   std::vector<Piece> pieces_;
   std::vector<BoundaryNodes> boundaries_;
+  std::vector<double> conductance_;  ///< per node, m/s: outflow per metre of its head, saturated
 };
 
 }  // namespace polder

@@ -52,6 +52,16 @@ std::vector<MeshEdge> outline(const Mesh& mesh) {
   return edges;
 }
 
+bool side_lies_on(const Mesh& mesh, const MeshEdge& side, std::span<const Point2> line, double near) {
+  for (const int n : {side.a, side.middle, side.b}) {
+    bool on = false;
+    for (std::size_t i = 0; i + 1 < line.size() && !on; ++i)
+      on = distance_to_segment(mesh.nodes[n], line[i], line[i + 1]) < near;
+    if (!on) return false;
+  }
+  return true;
+}
+
 double area(const Mesh& mesh, int triangle) {
   const auto& t = mesh.triangles[triangle];
   return cross(mesh.nodes[t[0]], mesh.nodes[t[1]], mesh.nodes[t[2]]) / 2;

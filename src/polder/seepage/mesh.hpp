@@ -29,6 +29,9 @@ Mesh quadratic_mesh(std::vector<Point2> corners, std::vector<std::array<int, 3>>
 /// Sides that belong to one triangle only: the outline, both faces of cuts.
 std::vector<MeshEdge> outline(const Mesh& mesh);
 
+/// Whether the side's ends and middle lie on the polyline within `near` (m); it may pass over the line's vertices.
+bool side_lies_on(const Mesh& mesh, const MeshEdge& side, std::span<const Point2> line, double near);
+
 /// Area of a triangle, m².
 double area(const Mesh& mesh, int triangle);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "polder/seepage/chain_sides.hpp"
 #include "polder/seepage/mesher.hpp"
 
 namespace polder {
@@ -32,7 +33,6 @@ std::optional<FlowBoundary> condition_of(const Model& model, const Point2& a, co
   // The soil lies to the left of a → b.
   const Point2 outside{middle[0] + near * (b[1] - a[1]) / length, middle[1] - near * (b[0] - a[0]) / length};
   FlowBoundary boundary;
-  boundary.line = {a, b};
   boundary.name = "seepage face";
 
   const std::optional<Side> side = side_of(model, middle, near);
@@ -71,6 +71,35 @@ std::optional<FlowBoundary> condition_of(const Model& model, const Point2& a, co
   return boundary;
 }
 
+bool same(const FlowBoundary& a, const FlowBoundary& b) {
+  return a.name == b.name && a.condition == b.condition && a.head.x == b.head.x && a.head.y == b.head.y;
+}
+
+FlowBoundary boundary_of(const SeepageCondition& given) {
+  using Kind = SeepageCondition::Kind;
+  FlowBoundary boundary;
+  boundary.name = given.name;
+  boundary.line = given.line;
+  boundary.condition = given.kind == Kind::head   ? FlowCondition::head
+                       : given.kind == Kind::rain ? FlowCondition::rain
+                                                  : FlowCondition::seepage;
+  boundary.head = given.head;
+  boundary.head_at_end = given.head_at_end;
+  boundary.rate = Table::constant(given.rate);
+  return boundary;
+}
+
+FlowMaterial flow_material(const Model& model, const SeepageInput& input, const MaterialInput& material,
+                           double unit_weight) {
+  FlowMaterial m;
+  m.conductivity = conductivity(model, material);
+  m.porosity = material.porosity;
+  m.specific_storage = unit_weight * material.porosity / model.water.bulk_modulus;
+  for (const MaterialRetention& given : input.retentions)
+    if (given.material == material.name) m.retention = given.retention, m.curve = given.curve;
+  return m;
+}
+
 }  // namespace
 
 std::array<double, 2> conductivity(const Model& model, const MaterialInput& material) {
@@ -84,32 +113,47 @@ std::array<double, 2> conductivity(const Model& model, const MaterialInput& mate
   return {k, k};
 }
 
-ModelFlow model_flow(const Model& model, const ModelFlowOptions& options) {
+ModelFlow model_flow(const Model& model, const SeepageInput& input) {
   if (model.space != SpaceKind::plane_strain)
     throw std::invalid_argument("seepage: the case is three-dimensional; seepage is computed in sections");
   if (model.soils.empty()) throw std::invalid_argument("seepage: the case has no [[soil]]");
   ModelFlow flow;
   flow.unit_weight = model.water.density * model.gravity;
   MeshRequest request;
-  request.size = options.size > 0 ? options.size : model.cell[0];
+  request.size = input.mesh_size > 0 ? input.mesh_size : std::max(model.cell[0], model.cell[1]);
   for (const SoilBody& soil : model.soils) {
-    const MaterialInput& material = model.materials[soil.material];
     request.polygons.push_back(soil.region.polygon);
-    FlowMaterial m;
-    m.conductivity = conductivity(model, material);
-    m.porosity = material.porosity;
-    m.specific_storage = flow.unit_weight * material.porosity / model.water.bulk_modulus;
-    m.retention = options.retention;
-    m.curve = options.curve;
-    flow.materials.push_back(m);
+    flow.materials.push_back(flow_material(model, input, model.materials[soil.material], flow.unit_weight));
   }
   for (const Boundary& boundary : model.boundaries)
     if (!boundary.side && boundary.line.size() == 2) request.lines.push_back(boundary.line);
+  for (const WallInput& wall : model.walls) request.cuts.push_back(wall.line);
+  for (const SeepageCondition& condition : input.conditions) request.lines.push_back(condition.line);
   flow.mesh = make_mesh(request);
   const double near = 1e-4 * request.size;
-  for (const MeshEdge& side : outline(flow.mesh))
-    if (auto boundary = condition_of(model, flow.mesh.nodes[side.a], flow.mesh.nodes[side.b], near))
-      flow.boundaries.push_back(std::move(*boundary));
+  std::vector<FlowBoundary> kinds;  // without their lines
+  std::vector<std::vector<std::array<Point2, 2>>> sides;
+  for (const MeshEdge& side : outline(flow.mesh)) {
+    const Point2 &a = flow.mesh.nodes[side.a], &b = flow.mesh.nodes[side.b];
+    if (std::any_of(input.conditions.begin(), input.conditions.end(), [&](const SeepageCondition& condition) {
+          return side_lies_on(flow.mesh, side, condition.line, near);
+        }))
+      continue;
+    const auto boundary = condition_of(model, a, b, near);
+    if (!boundary) continue;
+    const auto known =
+        std::find_if(kinds.begin(), kinds.end(), [&](const FlowBoundary& k) { return same(k, *boundary); });
+    const auto place = static_cast<std::size_t>(known - kinds.begin());
+    if (known == kinds.end()) kinds.push_back(*boundary), sides.emplace_back();
+    sides[place].push_back({a, b});
+  }
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    for (auto& line : chain_sides(std::move(sides[k]))) {
+      flow.boundaries.push_back(kinds[k]);
+      flow.boundaries.back().line = std::move(line);
+    }
+  for (const SeepageCondition& condition : input.conditions)
+    if (condition.kind != SeepageCondition::Kind::closed) flow.boundaries.push_back(boundary_of(condition));
   return flow;
 }
 

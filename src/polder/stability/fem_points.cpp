@@ -72,12 +72,7 @@ std::vector<MeshEdge> sides_on(const Mesh& mesh, const std::vector<Point2>& line
   for (const auto& p : mesh.nodes) size = std::max({size, std::abs(p[0]), std::abs(p[1])});
   std::vector<MeshEdge> found;
   for (const auto& side : outline(mesh))
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
-      if (distance_to_segment(mesh.nodes[side.a], line[i], line[i + 1]) < 1e-5 * size &&
-          distance_to_segment(mesh.nodes[side.b], line[i], line[i + 1]) < 1e-5 * size) {
-        found.push_back(side);
-        break;
-      }
+    if (side_lies_on(mesh, side, line, 1e-5 * size)) found.push_back(side);
   if (found.empty())
     throw std::invalid_argument(fmt::format(
         "finite elements: a {} lies on no side of the soil's outline; its line must follow the outline", what));

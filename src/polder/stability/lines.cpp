@@ -14,6 +14,29 @@ double level(const Line& line, double x) {
   return b[0] > a[0] ? a[1] + (x - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) : b[1];
 }
 
+Line simplified(const Line& line, double tolerance) {
+  if (line.size() < 3) return line;
+  std::vector<bool> keep(line.size(), false);
+  keep.front() = keep.back() = true;
+  std::vector<std::array<std::size_t, 2>> spans{{0, line.size() - 1}};
+  while (!spans.empty()) {
+    const auto [from, to] = spans.back();
+    spans.pop_back();
+    double most = tolerance;
+    std::size_t at = 0;
+    for (std::size_t i = from + 1; i < to; ++i)
+      if (const double d = distance(line[i], line[from], line[to]); d > most) most = d, at = i;
+    if (at == 0) continue;
+    keep[at] = true;
+    spans.push_back({from, at});
+    spans.push_back({at, to});
+  }
+  Line kept;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (keep[i]) kept.push_back(line[i]);
+  return kept;
+}
+
 bool covers(const Line& line, double x) { return !line.empty() && x >= line.front()[0] && x <= line.back()[0]; }
 
 namespace {

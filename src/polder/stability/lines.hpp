@@ -10,6 +10,10 @@ namespace polder::stability {
 /// Level of the polyline at x, its end values beyond its ends; x must not decrease along it, and it has ≥ 1 point.
 double level(const Line& line, double x);
 
+/// The polyline with as few of its points as keep it within `tolerance` (m) of all of them (Ramer 1972, Douglas &
+/// Peucker 1973).
+Line simplified(const Line& line, double tolerance);
+
 /// Whether x lies between the ends of the polyline.
 bool covers(const Line& line, double x);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "polder/stability/section_from_model.hpp"
+
 namespace polder::stability {
 namespace {
 
@@ -64,11 +66,30 @@ Outcome run_uplift_van(const Study& study, const PreparedSection& prepared) {
   return finish(critical_uplift_van(prepared));
 }
 
+Outcome run_strength_reduction(const Study& study, const PreparedSection& prepared) {
+  SectionReductionOptions options;
+  if (study.input.fem_triangles > 0) options.triangles = study.input.fem_triangles;
+  if (!study.input.fixed_line.empty()) options.fixed.push_back(study.input.fixed_line);
+  for (const MaterialInput& material : study.model.materials)
+    options.stiffness.push_back({law_parameter(material, "young_modulus").value_or(options.young_modulus),
+                                 law_parameter(material, "poisson_ratio").value_or(options.poisson_ratio)});
+  const auto reduction = std::make_shared<SectionReduction>(reduce_strength(prepared, options));
+  Outcome outcome;
+  outcome.problem = reduction->problem;
+  outcome.factor = reduction->result.factor;
+  if (outcome)
+    outcome.remark = fmt::format("stands at {:.3f}, fails at {:.3f}; {} triangles", reduction->result.stable,
+                                 reduction->result.failed, reduction->mesh.triangles.size());
+  outcome.reduction = reduction;
+  return outcome;
+}
+
 constexpr StabilityMethod methods[] = {
     {"bishop", "circles, simplified (1955)", run_bishop},
     {"spencer", "circles and free surfaces, parallel interslice forces (1967)", run_spencer},
     {"morgenstern-price", "circles and free surfaces, half-sine interslice function (1965)", run_morgenstern_price},
     {"uplift-van", "active circle, horizontal plane, passive circle (2001)", run_uplift_van},
+    {"srm", "finite elements with strength reduction (1999)", run_strength_reduction},
 };
 
 }  // namespace

@@ -1,26 +1,23 @@
 #pragma once
 // The table of methods that `polder stability` offers. A method is one function and one line in methods.cpp.
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
-#include "polder/case/model.hpp"
 #include "polder/stability/search.hpp"
+#include "polder/stability/section_strength_reduction.hpp"
+#include "polder/stability/study.hpp"
 
 namespace polder::stability {
 
-/// A case as the methods see it, beside its section.
-struct Study {
-  Model model;
-  Input input;
-};
-
 struct Outcome {
   double factor = 0;
-  std::string problem;                 ///< why there is no factor; empty: there is one
-  std::string remark;                  ///< one line on what was found
-  std::optional<SearchResult> search;  ///< of the methods of slices
+  std::string problem;                                ///< why there is no factor; empty: there is one
+  std::string remark;                                 ///< one line on what was found
+  std::optional<SearchResult> search;                 ///< of the methods of slices
+  std::shared_ptr<const SectionReduction> reduction;  ///< of strength reduction
   explicit operator bool() const { return problem.empty(); }
 };
 

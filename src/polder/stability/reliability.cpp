@@ -71,6 +71,17 @@ Section design_section(Section section, const PartialFactors& factors) {
   return section;
 }
 
+Section characteristic_section(Section section, const std::vector<Uncertainty>& uncertain) {
+  for (const Uncertainty& what : uncertain) {
+    if (what.soil < 0) continue;
+    const double factor = characteristic_value(1, what.deviation);
+    Soil& soil = section.soils[static_cast<std::size_t>(what.soil)];
+    scale(soil.above, factor, factor, factor);
+    scale(soil.below, factor, factor, factor);
+  }
+  return section;
+}
+
 std::vector<Uncertainty> uncertainties(const Model& model, const Input& input) {
   std::vector<Uncertainty> list;
   for (std::size_t i = 0; i < model.materials.size(); ++i) {

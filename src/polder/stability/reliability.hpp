@@ -17,6 +17,11 @@ Section design_section(Section section, const PartialFactors& factors);
 /// variation.
 double characteristic_value(double mean, double variation);
 
+struct Uncertainty;
+
+/// The section with the strengths of its uncertain soils lowered from their means to their characteristic values.
+Section characteristic_section(Section section, const std::vector<Uncertainty>& uncertain);
+
 /// One uncertain quantity, independent of the others: a factor on the strength of a soil (lognormal, mean 1) or a rise
 /// of all heads (normal, mean 0).
 struct Uncertainty {

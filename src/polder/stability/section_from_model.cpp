@@ -11,7 +11,6 @@
 #include "polder/stability/lines.hpp"
 
 namespace polder::stability {
-namespace {
 
 std::optional<double> law_parameter(const MaterialInput& material, std::string_view key) {
   const LawDescription* law = find_soil_law(material.law);
@@ -20,6 +19,8 @@ std::optional<double> law_parameter(const MaterialInput& material, std::string_v
     if (law->parameters[i].key == key) return material.law_parameters[i];
   return std::nullopt;
 }
+
+namespace {
 
 // The strength of the material's own law; false where the law has none.
 bool strength_of_law(const MaterialInput& material, Strength& strength) {

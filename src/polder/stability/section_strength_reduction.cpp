@@ -85,14 +85,21 @@ SectionReduction reduce_strength(const PreparedSection& prepared, const SectionR
   FemProblem problem;
   problem.mesh = &out.mesh;
   problem.water_unit_weight = section.water.unit_weight;
-  for (const Layer& layer : section.layers)
-    problem.materials.push_back(material(section.soils[layer.soil], section.water.unit_weight, options));
+  for (const Layer& layer : section.layers) {
+    FemMaterial m = material(section.soils[layer.soil], section.water.unit_weight, options);
+    if (static_cast<std::size_t>(layer.soil) < options.stiffness.size()) {
+      m.young_modulus = options.stiffness[layer.soil][0];
+      m.poisson_ratio = options.stiffness[layer.soil][1];
+    }
+    problem.materials.push_back(m);
+  }
   problem.supports = {{base_line(prepared), 0.0, 0.0}};
   for (const auto& [x, column, edge] :
        {std::tuple{prepared.left(), &prepared.columns.front(), 0}, {prepared.right(), &prepared.columns.back(), 1}}) {
     const double top = column->pieces.front().top[edge], bottom = column->pieces.back().base[edge];
     if (top - bottom > 1e-3 * request.size) problem.supports.push_back({{{x, bottom}, {x, top}}, 0.0, {}});
   }
+  for (const Line& line : options.fixed) problem.supports.push_back({line, 0.0, 0.0});
   for (const StripLoad& load : section.strip_loads)
     problem.loads.push_back({ground_line(prepared, load.from, load.to), {0, -load.pressure}});
 

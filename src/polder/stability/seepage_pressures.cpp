@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "polder/seepage/flow_results.hpp"
+#include "polder/stability/lines.hpp"
 
 namespace polder::stability {
 
@@ -39,6 +40,7 @@ void take_pressures(const FlowSolver& solver, const FlowState& state, double spa
     const double x = within(low[0] + i * grid.spacing_x, 0);
     section.water.phreatic.push_back({x, phreatic_height(solver, state, x).value_or(low[1])});
   }
+  section.water.phreatic = simplified(section.water.phreatic, spacing / 20);
   section.water.references.clear();
   section.water.unit_weight = solver.problem().unit_weight;
   section.pressures = std::move(grid);

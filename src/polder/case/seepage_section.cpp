@@ -1,0 +1,85 @@
+#include "polder/case/seepage_section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace polder::case_file {
+namespace {
+
+void need(const Fields& f, std::string_view key, Diagnostics& diagnostics) {
+  if (!f.is_given(key))
+    report(diagnostics, f.place, f.path_of(key), "missing", fmt::format("give {} its {}", f.path, key));
+}
+
+MaterialRetention read_retention(const Fields& f, const Model& model, Diagnostics& diagnostics) {
+  MaterialRetention out;
+  need(f, "material", diagnostics);
+  out.material = f.text("material");
+  const bool known = std::any_of(model.materials.begin(), model.materials.end(),
+                                 [&](const MaterialInput& m) { return m.name == out.material; });
+  if (!known && !out.material.empty())
+    report(diagnostics, f.place_of("material"), f.path_of("material"),
+           fmt::format("there is no material \"{}\"", out.material), "name one of the [[material]] sections");
+  const double unit_weight = model.water.density * model.gravity;
+  const double residual = f.number("residual"), maximum = f.number("maximum", 1);
+  if (residual >= maximum)
+    report(diagnostics, f.place_of("residual"), f.path_of("residual"),
+           fmt::format("{:g} is not below the maximum {:g}", residual, maximum), "give a smaller residual saturation");
+  const std::string curve = f.text("conductivity"), retention = f.text("model");
+  const HillelConductivity hillel{f.number("hillel_exponent", 3)};
+  if (retention == "linear") {
+    out.retention = LinearRetention{f.number("slope"), residual};
+    out.curve = hillel;
+  } else if (retention == "gardner") {
+    const double rate = f.number("rate", 1) / unit_weight;
+    out.retention = GardnerRetention{rate, residual, maximum};
+    out.curve = GardnerConductivity{rate};
+  } else {
+    const VanGenuchtenRetention r =
+        van_genuchten(f.number("g_a", 1), f.number("g_n", 2), residual, maximum, unit_weight);
+    out.retention = r;
+    out.curve = MualemConductivity{f.number("g_l", 0.5), r.lambda};
+  }
+  if (curve == "constant") out.curve = ConstantConductivity{};
+  if (curve == "hillel") out.curve = hillel;
+  return out;
+}
+
+SeepageCondition read_condition(const Fields& f, std::size_t number, Diagnostics& diagnostics) {
+  using Kind = SeepageCondition::Kind;
+  SeepageCondition out;
+  need(f, "line", diagnostics);
+  out.name = f.text("name").empty() ? fmt::format("seepage boundary {}", number) : f.text("name");
+  const std::string kind = f.text("condition");
+  out.kind = kind == "closed"    ? Kind::closed
+             : kind == "seepage" ? Kind::seepage
+             : kind == "rain"    ? Kind::rain
+                                 : Kind::head;
+  if (const Entry* line = f.find("line"))
+    for (const auto& p : line->points) out.line.push_back({p.front(), p.back()});
+  if (out.kind == Kind::head) need(f, "head", diagnostics);
+  if (const Entry* head = f.find("head")) out.head = head->table;
+  if (const Entry* head = f.find("head_at_end")) out.head_at_end = head->table;
+  out.rate = f.number("rate");
+  return out;
+}
+
+}  // namespace
+
+SeepageInput read_seepage(const Sections& sections, const Model& model, Diagnostics& diagnostics) {
+  const Fields& f = sections.seepage;
+  SeepageInput input;
+  input.mesh_size = f.number("mesh_size");
+  if (const Entry* times = f.find("times")) input.times = times->numbers;
+  std::sort(input.times.begin(), input.times.end());
+  input.start = f.text("start") == "steady" ? SeepageStart::steady : SeepageStart::water_table;
+  input.steady_time = f.number("steady_time");
+  for (const Fields& retention : sections.retentions)
+    input.retentions.push_back(read_retention(retention, model, diagnostics));
+  for (const Fields& condition : sections.seepage_boundaries)
+    input.conditions.push_back(read_condition(condition, input.conditions.size() + 1, diagnostics));
+  return input;
+}
+
+}  // namespace polder::case_file

@@ -1,0 +1,18 @@
+# seepage: numbers, tables and pictures of a case's seepage, and what is said of wrong ones.
+expect 0 polder seepage dike-seepage --out flow
+has "$out" "inflow"
+has "$out" "reservoir"
+has "$out" "exit gradient"
+for file in nodes-0.csv head-0.png pore-pressure-0.png seepage.json; do
+  [ -s flow/$file ] || fail "there is no flow/$file"
+done
+has "$(head -n 1 flow/nodes-0.csv)" "head (m)"
+
+expect 0 polder seepage dike-seepage --json - --set 'seepage.times=["1 s", "2 s"]'
+has "$out" '"time": 2.0'
+
+expect 2 polder seepage hydrostatic-3d
+has "$err" "three-dimensional"
+
+expect 2 polder seepage dike-seepage --set 'seepage.mesh=1'
+has "$err" 'did you mean "mesh_size"?'

@@ -1,0 +1,93 @@
+#include "polder/stability/assessment_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "polder/case/reader.hpp"
+#include "polder/stability/lines.hpp"
+
+namespace polder::stability {
+namespace {
+
+Study griffiths_lane_1(const std::vector<std::string>& overrides = {}) {
+  ReadResult read = read_case(std::string(POLDER_SOURCE_DIR) + "/cases/griffiths-lane-1/case.toml", overrides);
+  EXPECT_TRUE(read.ok());
+  return {read.model, read.stability, read.seepage};
+}
+
+AssessmentOptions only(const char* method) { return {{find_stability_method(method)}, false, false, 0}; }
+
+TEST(Assessment, DesignFactorIsThePlainOneOverThePartialFactors) {
+  // Strengths divided by 1.25 alike lower the factor of every surface 1.25-fold; the factor of the model divides it.
+  const Assessment all = assess(griffiths_lane_1({"stability.partial_cohesion=1.25", "stability.partial_friction=1.25",
+                                                  "stability.partial_model=1.1"}),
+                                only("bishop"), {});
+  ASSERT_EQ(all.factors.size(), 2u);
+  EXPECT_EQ(all.factors[1].label, "bishop (design)");
+  EXPECT_NEAR(all.factors[1].factor, all.factors[0].factor / 1.25 / 1.1, 1e-3 * all.factors[0].factor);
+}
+
+TEST(Assessment, CharacteristicStrengthsAreLowerByTheFractileOfTheLognormal) {
+  Study study = griffiths_lane_1();
+  MaterialStrength strength;
+  strength.material = "soil";
+  strength.strength.cohesion = 10e3;
+  strength.strength.friction_angle = 20 * 3.14159265358979 / 180;
+  strength.variation = 0.2;
+  strength.unit_weight = strength.saturated_unit_weight = 20e3;
+  study.input.strengths = {strength};
+  study.input.circle = Circle{{15, 24}, 23.9};  // one surface, so that the samples are quick
+  AssessmentOptions options = only("bishop");
+  options.form = true;
+  options.samples = 400;
+  const Assessment all = assess(study, options, {});
+  ASSERT_EQ(all.factors.size(), 2u);
+  EXPECT_EQ(all.factors[1].label, "bishop (characteristic)");
+  EXPECT_NEAR(all.factors[1].factor / all.factors[0].factor, characteristic_value(1, 0.2), 1e-3);
+  // One lognormal factor on all strength: β = ln(F exp(−σ²/2))/σ, exactly.
+  const double sigma = std::sqrt(std::log(1 + 0.04));
+  const double index = (std::log(all.factors[0].factor) - sigma * sigma / 2) / sigma;
+  ASSERT_EQ(all.probabilities.size(), 2u);
+  EXPECT_NEAR(all.probabilities[0].reliability.index, index, 0.02);
+  const Reliability& sampled = all.probabilities[1].reliability;
+  EXPECT_NEAR(sampled.probability, normal_probability(-index), 3 * sampled.deviation);
+}
+
+TEST(Assessment, ContoursAreLeastAtTheCriticalCentre) {
+  AssessmentOptions options = only("bishop");
+  options.contours = true;
+  const Assessment all = assess(griffiths_lane_1(), options, {});
+  const SearchResult& found = *all.factors.front().outcome.search;
+  ASSERT_GT(found.contours.size(), 100u);
+  double least = 1e300;
+  for (const CentreFactor& c : found.contours) least = std::min(least, c.factor);
+  EXPECT_GE(least, found.equilibrium.factor - 2e-3);
+  EXPECT_LE(least, 1.02 * found.equilibrium.factor);
+}
+
+TEST(Assessment, JsonHasTheContractsKeys) {
+  const auto json = assessment_json(assess(griffiths_lane_1(), only("bishop"), {{"bishop", 1.378, 0.02, ""}}));
+  ASSERT_EQ(json.size(), 1u);
+  for (const char* key : {"case", "method", "factor_of_safety", "reference", "tolerance", "pass", "seconds"})
+    EXPECT_TRUE(json[0].contains(key)) << key;
+  EXPECT_TRUE(json[0]["pass"].get<bool>());
+  EXPECT_FALSE(json[0].contains("slices"));
+}
+
+TEST(Assessment, SaysThatNothingIsUncertain) {
+  AssessmentOptions options = only("bishop");
+  options.form = true;
+  EXPECT_THROW(assess(griffiths_lane_1(), options, {}), std::invalid_argument);
+}
+
+TEST(Simplified, StaysWithinItsTolerance) {
+  Line line;
+  for (int i = 0; i <= 200; ++i) line.push_back({0.05 * i, std::sin(0.05 * i)});
+  const Line few = simplified(line, 1e-2);
+  EXPECT_LT(few.size(), 50u);
+  for (const Point& p : line) EXPECT_NEAR(level(few, p[0]), p[1], 1.5e-2);
+}
+
+}  // namespace
+}  // namespace polder::stability
