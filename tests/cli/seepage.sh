@@ -14,5 +14,5 @@ has "$out" '"time": 2.0'
 expect 2 polder seepage hydrostatic-3d
 has "$err" "three-dimensional"
 
-expect 2 polder seepage dike-seepage --set 'seepage.mesh=1'
+expect 2 polder seepage dike-seepage --set 'seepage.mesh_sise="1 m"'
 has "$err" 'did you mean "mesh_size"?'

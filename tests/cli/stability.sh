@@ -74,3 +74,15 @@ slope "$two
 phreatic_line = [[\"0 m\", \"5 m\"], [\"50 m\", \"5 m\"]]" >flooded-line.toml
 expect 0 polder stability flooded-line.toml --method bishop
 has "$err" "note: the phreatic line is above the ground"
+
+# The page, the JSON with slices, and keys changed on the command line.
+expect 0 polder stability griffiths-lane-1 --method bishop --report page --json rows.json --slices \
+  --set stability.partial_friction=1.25 --set stability.partial_cohesion=1.25
+has "$out" "bishop (design)"
+has "$(cat page/stability.html)" "<h2>bishop</h2>"
+has "$(cat rows.json)" '"slices"'
+has "$(cat rows.json)" '"strengths": "design"'
+
+# Every method is offered, strength reduction among them.
+expect 0 polder stability --help
+has "$out" "srm"
