@@ -40,6 +40,9 @@ void check_limits(const Sections& sections, const Model& model, Diagnostics& dia
   for (std::size_t i = 0; i < model.boundaries.size(); ++i) {
     const Boundary& b = model.boundaries[i];
     const Fields& f = sections.boundaries[i];
+    if (b.side && b.water == WaterCondition::head && b.soil == SoilCondition::none)
+      report(diagnostics, f.place_of("soil"), f.path_of("soil"), "soil cannot leave by a side with a head yet",
+             "set soil = \"roller\" or \"rough\"");
     if (b.side && b.water == WaterCondition::open)
       report(diagnostics, f.place_of("water"), f.path_of("water"), "open sides of the model are not available yet",
              "until they are, leave room for the water that flows out");

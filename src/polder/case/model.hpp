@@ -28,6 +28,7 @@ struct WaterProperties {
   double density = 1000;        ///< kg/m³
   double bulk_modulus = 2.2e9;  ///< Pa
   double viscosity = 1.0e-3;    ///< Pa s
+  bool friction = false;        ///< free water has the viscosity, too: friction inside it and on rough walls
 };
 
 struct MaterialInput {
@@ -43,6 +44,8 @@ struct MaterialInput {
   /// Hydraulic conductivity m/s (horizontal, vertical) at the initial porosity; absent: Kozeny–Carman from the grain
   /// diameter. With a given one the dependence on porosity is Kozeny–Carman's, scaled.
   std::optional<std::array<double, 2>> permeability;
+  /// m of K = K(n₀) [(1 − n₀)/(1 − n)]^m, in place of Kozeny–Carman's change with the porosity.
+  std::optional<double> permeability_exponent;
   bool fixed = false;  ///< rigid soil that does not move (a porous block)
 };
 
@@ -59,7 +62,7 @@ struct FreeWaterBody {
 };
 
 enum class SoilCondition { none, roller, rough };
-enum class WaterCondition { closed, open, reservoir };
+enum class WaterCondition { closed, open, reservoir, head, inflow };
 enum class Side { left, right, base, top, front, back };
 
 /// What happens along a side of the model, along a grid-aligned line inside it, or in a region (reservoir).
@@ -70,8 +73,18 @@ struct Boundary {
   /// `roller`: no normal displacement of the soil; `rough`: no displacement at all.
   SoilCondition soil = SoilCondition::none;
   WaterCondition water = WaterCondition::closed;
-  Region region;  ///< of a reservoir
-  Table head;     ///< m above datum y = 0, as a function of time (reservoir)
+  Region region;         ///< of a reservoir
+  Table head;            ///< m above datum y = 0, as a function of time (reservoir, head)
+  bool no_slip = false;  ///< free water with friction sticks to the side
+  double slide = 0;      ///< m/s, velocity of such a side along itself (left and right: up; base and top: along x)
+  Table inflow;          ///< m/s into the model, as a function of time (inflow)
+};
+
+/// A pressure on the ground, downwards; it moves with the soil that is at the surface at the start.
+struct GroundLoad {
+  std::string name;
+  std::array<double, 2> span{};  ///< m, [from, to] of x
+  Table pressure;                ///< Pa, as a function of time
 };
 
 /// A rigid wall: a thin one or a body. A thin one is a line, thinner than a cell: it lies on the faces of the grid
@@ -99,6 +112,7 @@ struct Stage {
   double damping = 0;        ///< 1/s, viscous damping of the soil's velocity
   double water_damping = 0;  ///< 1/s, of the water's velocity
   double local_damping = 0;  ///< Cundall's factor on the soil's out-of-balance force
+  double acceleration = 0;   ///< m/s², of all soil and water along x, besides gravity
   bool hold_water = false;   ///< water is held horizontally (the papers' gravity phase)
 };
 
@@ -125,6 +139,7 @@ struct Numerics {
   double pressure_tolerance = 1e-6;  ///< relative residual of the pressure solve
   double fbar = 0.5;                 ///< share of the cell's mean in a soil point's volume change
   double wet_threshold = 0.5;        ///< fill above which a cell is wet
+  double pressure_weight = 1;        ///< θ of the step: 1 damped, ½ time-centred
   double volume_correction = 0.3;    ///< share of the fill error removed in a step
   bool split_water = true;
   double max_step = std::numeric_limits<double>::infinity();  ///< s
@@ -145,10 +160,14 @@ struct Model {
   std::vector<SoilBody> soils;
   std::vector<FreeWaterBody> free_water;
   std::vector<Point2> water_table;  ///< polyline (x, height); soil below it starts saturated; empty: all soil dry
+  /// Pore water of soil carried by the soil points (single-point) instead of by water points of its own.
+  bool single_point = false;
   InitialStress initial_stress = InitialStress::k0;
   std::optional<double> k0;  ///< absent: 1 − sin φ' (Jaky) where the law has an angle, else ν/(1 − ν)
+  bool periodic = false;     ///< what leaves by the right side comes in by the left, and the other way round
   std::vector<Boundary> boundaries;
   std::vector<WallInput> walls;
+  std::vector<GroundLoad> loads;
   std::vector<Stage> stages;
   std::vector<Monitor> monitors;
   Output output;

@@ -41,6 +41,7 @@ Json material_json(const MaterialInput& m) {
             {"ergun_a", m.ergun_a},
             {"ergun_b", m.ergun_b},
             {"fixed", m.fixed}};
+  if (m.permeability_exponent) json["permeability_exponent"] = *m.permeability_exponent;
   if (m.grain_diameter > 0) json["grain_diameter"] = m.grain_diameter;
   if (m.permeability) {
     json["horizontal_permeability"] = (*m.permeability)[0];
@@ -56,6 +57,16 @@ Json material_json(const MaterialInput& m) {
   return json;
 }
 
+void add_table(Json& json, const char* key, const Table& table) {
+  for (std::size_t i = 0; i < table.x.size(); ++i) json[key].push_back({table.x[i], table.y[i]});
+}
+
+Json load_json(const GroundLoad& load) {
+  Json json{{"name", load.name}, {"span", load.span}};
+  add_table(json, "pressure", load.pressure);
+  return json;
+}
+
 Json boundary_json(const Boundary& b) {
   Json json{{"name", b.name}};
   if (b.side) json["side"] = word("boundary", "side", static_cast<int>(*b.side));
@@ -63,7 +74,8 @@ Json boundary_json(const Boundary& b) {
   json["soil"] = word("boundary", "soil", static_cast<int>(b.soil));
   json["water"] = word("boundary", "water", static_cast<int>(b.water));
   if (!b.region.polygon.empty()) json["region"] = b.region.polygon;
-  for (std::size_t i = 0; i < b.head.x.size(); ++i) json["head"].push_back({b.head.x[i], b.head.y[i]});
+  add_table(json, "head", b.head);
+  add_table(json, "inflow", b.inflow);
   return json;
 }
 
@@ -106,9 +118,13 @@ Json case_json(const Model& model) {
     return std::vector<double>(v.begin(), v.begin() + axes);
   };
   Json json{{"name", model.name}, {"file", model.file}};
-  json["model"] = {{"title", model.title},         {"space", word("model", "space", static_cast<int>(model.space))},
-                   {"size", per_axis(model.size)}, {"cell", per_axis(model.cell)},
-                   {"gravity", model.gravity},     {"points_per_axis", model.points_per_axis}};
+  json["model"] = {{"title", model.title},
+                   {"space", word("model", "space", static_cast<int>(model.space))},
+                   {"size", per_axis(model.size)},
+                   {"cell", per_axis(model.cell)},
+                   {"gravity", model.gravity},
+                   {"points_per_axis", model.points_per_axis},
+                   {"formulation", model.single_point ? "single-point" : "double-point"}};
   json["water"] = {{"density", model.water.density},
                    {"bulk_modulus", model.water.bulk_modulus},
                    {"viscosity", model.water.viscosity}};
@@ -129,6 +145,8 @@ Json case_json(const Model& model) {
   json["boundary"] = Json::array();
   for (const Boundary& b : model.boundaries) json["boundary"].push_back(boundary_json(b));
   for (const WallInput& w : model.walls) json["wall"].push_back(wall_json(w, model));
+  json["load"] = Json::array();
+  for (const GroundLoad& load : model.loads) json["load"].push_back(load_json(load));
   json["stage"] = Json::array();
   for (const Stage& s : model.stages) json["stage"].push_back(stage_json(s));
   json["monitor"] = Json::array();
@@ -143,6 +161,7 @@ Json case_json(const Model& model) {
                       {"fbar", n.fbar},
                       {"wet_threshold", n.wet_threshold},
                       {"volume_correction", n.volume_correction},
+                      {"pressure_weight", n.pressure_weight},
                       {"split_water", n.split_water},
                       {"max_step", number(n.max_step)},
                       {"jitter", n.jitter},

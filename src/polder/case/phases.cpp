@@ -113,7 +113,7 @@ void settle_permeability(const Fields& fields, const WaterProperties& water, dou
            fmt::format("the {} permeability is missing", h ? "vertical" : "horizontal"),
            "give both, or permeability for the same in all directions");
   material.grain_diameter = fields.number("grain_diameter");
-  const double per_area = water.density * gravity / water.viscosity;
+  const double per_area = water.density * (gravity > 0 ? gravity : standard_gravity) / water.viscosity;
   if (const Entry* k = fields.find("permeability")) material.permeability = {k->number, k->number};
   if (const Entry* kappa = fields.find("intrinsic_permeability"))
     material.permeability = {kappa->number * per_area, kappa->number * per_area};

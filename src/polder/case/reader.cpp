@@ -36,6 +36,7 @@ void read_model(const Fields& f, Model& model, Diagnostics& diagnostics) {
   model.title = f.text("title");
   model.space = f.text("space") == "3d" ? SpaceKind::solid : SpaceKind::plane_strain;
   model.gravity = f.number("gravity", model.gravity);
+  model.single_point = f.text("formulation") == "single-point";
   model.points_per_axis = static_cast<int>(f.number("points_per_axis", model.points_per_axis));
   const std::size_t axes = model.space == SpaceKind::solid ? 3 : 2;
   const std::string form = axes == 3 ? "[width, depth, height]" : "[width, height]";
@@ -72,6 +73,7 @@ MaterialInput read_material(const Fields& f, const LawDescription* law, const Mo
   material.max_porosity = f.number("max_porosity", material.max_porosity);
   material.ergun_a = f.number("ergun_a", material.ergun_a);
   material.ergun_b = f.number("ergun_b", material.ergun_b);
+  if (const Entry* exponent = f.find("permeability_exponent")) material.permeability_exponent = exponent->number;
   material.fixed = f.flag("fixed");
   static constexpr DragLaw drags[] = {DragLaw::ergun, DragLaw::darcy, DragLaw::beetstra, DragLaw::gidaspow};
   if (const Entry* drag = f.find("drag")) material.drag = drags[static_cast<std::size_t>(drag->number)];
@@ -141,7 +143,8 @@ SoilBody read_soil(const Fields& f, const Model& model, Diagnostics& diagnostics
 Boundary read_boundary(const Fields& f) {
   static constexpr Side sides[] = {Side::left, Side::right, Side::base, Side::top, Side::front, Side::back};
   static constexpr SoilCondition soils[] = {SoilCondition::none, SoilCondition::roller, SoilCondition::rough};
-  static constexpr WaterCondition waters[] = {WaterCondition::closed, WaterCondition::open, WaterCondition::reservoir};
+  static constexpr WaterCondition waters[] = {WaterCondition::closed, WaterCondition::open, WaterCondition::reservoir,
+                                              WaterCondition::head, WaterCondition::inflow};
   Boundary boundary;
   boundary.name = f.text("name").empty() ? f.text("side") : f.text("name");
   if (const Entry* side = f.find("side")) boundary.side = sides[static_cast<std::size_t>(side->number)];
@@ -150,6 +153,7 @@ Boundary read_boundary(const Fields& f) {
   boundary.line = points2(f.find("line"));
   boundary.region.polygon = points2(f.find("region"));
   if (const Entry* head = f.find("head")) boundary.head = head->table;
+  if (const Entry* inflow = f.find("inflow")) boundary.inflow = inflow->table;
   // A reservoir is only about water.
   if (boundary.water == WaterCondition::reservoir && !f.is_given("soil")) boundary.soil = SoilCondition::none;
   return boundary;
@@ -214,6 +218,19 @@ Monitor read_monitor(const Fields& f) {
   return monitor;
 }
 
+GroundLoad read_load(const Fields& f, Diagnostics& diagnostics) {
+  GroundLoad load;
+  load.name = f.text("name");
+  if (const Entry* pressure = f.find("pressure")) load.pressure = pressure->table;
+  const Entry* span = f.find("span");
+  if (span && span->numbers.size() == 2 && span->numbers[0] < span->numbers[1])
+    load.span = {span->numbers[0], span->numbers[1]};
+  else if (span)
+    report(diagnostics, span->place, f.path_of("span"), "is not [from, to] with from < to",
+           "give the two ends of the load along x");
+  return load;
+}
+
 void read_initial(const Fields& f, Model& model) {
   static constexpr InitialStress states[] = {InitialStress::k0, InitialStress::gravity, InitialStress::none};
   model.water_table = points2(f.find("water_table"));
@@ -235,6 +252,7 @@ void read_numerics(const Fields& f, Numerics& numerics) {
   numerics.fbar = f.number("fbar", numerics.fbar);
   numerics.wet_threshold = f.number("wet_threshold", numerics.wet_threshold);
   numerics.volume_correction = f.number("volume_correction", numerics.volume_correction);
+  numerics.pressure_weight = f.number("pressure_weight", numerics.pressure_weight);
   numerics.split_water = f.flag("split_water");
   numerics.max_step = f.number("max_step", numerics.max_step);
   numerics.jitter = f.number("jitter", numerics.jitter);
@@ -249,8 +267,13 @@ void add_remaining_sides(Model& model) {
   for (const auto& [side, name] : sides) {
     if (model.space == SpaceKind::plane_strain && (side == Side::front || side == Side::back)) continue;
     if (std::none_of(model.boundaries.begin(), model.boundaries.end(),
-                     [wanted = side](const Boundary& b) { return b.side == wanted; }))
-      model.boundaries.push_back({name, side, {}, SoilCondition::roller, WaterCondition::closed, {}, {}});
+                     [wanted = side](const Boundary& b) { return b.side == wanted; })) {
+      Boundary wall;
+      wall.name = name;
+      wall.side = side;
+      wall.soil = SoilCondition::roller;
+      model.boundaries.push_back(std::move(wall));
+    }
   }
 }
 
@@ -281,6 +304,7 @@ ReadResult read_case(const std::string& path, const std::vector<std::string>& ov
   for (const Fields& f : sections.stages) model.stages.push_back(read_stage(f));
   for (const Fields& f : sections.walls) model.walls.push_back(read_wall(f, model, diagnostics));
   for (const Fields& f : sections.monitors) model.monitors.push_back(read_monitor(f));
+  for (const Fields& f : sections.loads) model.loads.push_back(read_load(f, diagnostics));
   read_initial(sections.initial, model);
   read_output(sections.output, model.output);
   read_numerics(sections.numerics, model.numerics);

@@ -53,7 +53,8 @@ const std::vector<Section> sections = {
      "A line on which the head is known, for the factor of safety: pressure is linear in height between the water "
      "table, "
      "such lines one under the other, and hydrostatic under the last."},
-    {"load", true, false, "A strip load on the ground, for the factor of safety."},
+    {"load", true, false,
+     "A pressure on the ground, downwards. It moves with the soil that is at the surface at the start."},
 };
 
 std::vector<Key> make_keys() {
@@ -72,6 +73,10 @@ std::vector<Key> make_keys() {
        "Acceleration of gravity, downwards; more than 9.81 m/s2 in a centrifuge."},
       {"model", "points_per_axis", "", "count", false, "2", 1, 8, "2",
        "Soil and water points per cell along each axis at the start."},
+      {"model", "formulation", "", "choice:double-point|single-point", false, "double-point", any, infinity,
+       R"("double-point")",
+       "Water in the pores of soil: on water points of its own, or carried by the soil points (saturated soil that "
+       "drains to its surface; no exchange with free water)."},
       // ---- water
       {"water", "density", "ρw", "density", false, "1000 kg/m3", 500, 2000, R"("1000 kg/m3")", "Density."},
       {"water", "bulk_modulus", "Kw", "pressure", false, "2.2 GPa", 1e4, 1e11, R"("2.2 GPa")",
@@ -103,6 +108,8 @@ std::vector<Key> make_keys() {
        "Hydraulic conductivity across the layers."},
       {"material", "intrinsic_permeability", "κ", "area", false, "", 1e-22, 1e-4, R"("4e-11 m2")",
        "Of the grain skeleton alone, instead of `permeability`: k = κ ρw g / μ."},
+      {"material", "permeability_exponent", "m", "ratio", false, "", 0, 20, "2",
+       "K changes with the porosity as [(1 − n₀)/(1 − n)]^m instead of as Kozeny–Carman says; 0: it stays."},
       {"material", "drag", "", "choice:ergun|darcy|beetstra|gidaspow", false, "ergun", any, infinity, R"("ergun")",
        "Force between grains and water: Ergun–Forchheimer (quadratic), Darcy (linear), or a law that also holds for "
        "dilute suspensions."},
@@ -147,14 +154,20 @@ std::vector<Key> make_keys() {
        "Instead of a side: two points of a vertical or horizontal line that lies on the grid."},
       {"boundary", "soil", "", "choice:none|roller|rough", false, "roller", any, infinity, R"("rough")",
        "`roller`: no displacement of the soil across it; `rough`: none at all; `none`: the soil does not feel it."},
-      {"boundary", "water", "", "choice:closed|open|reservoir", false, "closed", any, infinity, R"("closed")",
-       "`closed`: no flow; `open`: water passes freely; `reservoir`: the head is given in a region."},
+      {"boundary", "water", "", "choice:closed|open|reservoir|head|inflow", false, "closed", any, infinity,
+       R"("closed")",
+       "`closed`: no flow; `open`: water passes freely; `reservoir`: the head is given in a region; `head`: the head "
+       "is "
+       "given on a side, above it water may only leave (a seepage face); `inflow`: the discharge is given on a side."},
       {"boundary", "region", "", "polygon", false, "", any, infinity,
        R"([["0 m", "0 m"], ["0.3 m", "0 m"], ["0.3 m", "1.5 m"], ["0 m", "1.5 m"]])",
        "Where a reservoir keeps its level."},
       {"boundary", "head", "H", "table of length", false, "", -1e5, 1e5, R"("0.8 m")",
-       "Water level of a reservoir above y = 0: one value, a hydrograph [[time, level], …], or a CSV file with the "
+       "Water level of a reservoir, or head on a side, above y = 0: one value, a hydrograph [[time, level], …], or a "
+       "CSV file with the "
        "columns time in s and level in m. Linear between the points, constant beyond."},
+      {"boundary", "inflow", "q", "table of velocity", false, "", -100, 100, R"("5 mm/s")",
+       "Discharge into the model per area of the side: one value, a list [[time, discharge], …], or a CSV file."},
       // ---- wall
       {"wall", "name", "", "name", false, "", any, infinity, R"("sheet pile")", "For messages and the report."},
       {"wall", "line", "", "polyline", false, "", any, infinity, R"([["2 m", "1 m"], ["2 m", "0.3 m"]])",
@@ -228,6 +241,9 @@ std::vector<Key> make_keys() {
       {"numerics", "wet_threshold", "", "ratio", false, "0.5", 0.01, 0.99, "0.5", "Fill above which a cell is wet."},
       {"numerics", "volume_correction", "", "ratio", false, "0.3", 0, 1, "0.3",
        "Share of the error of a cell's fill that a step removes by shifting water points."},
+      {"numerics", "pressure_weight", "θ", "ratio", false, "1", 0.5, 1, "0.5",
+       "Of the new pressure in a step: 1 damps waves of the water, 0.5 carries them (with a max_step that resolves "
+       "them)."},
       {"numerics", "split_water", "", "flag", false, "true", any, infinity, "true",
        "Split water points that have stretched on entering soil."},
       {"numerics", "max_step", "Δt", "time", false, "", 1e-12, 3.2e9, R"("1e-3 s")",
@@ -318,7 +334,10 @@ std::string expected(const Key& key) {
   if (key.quantity == "list of length") return "lengths" + such;
   if (key.quantity == "list of time") return "times" + such;
   if (key.quantity == "list of pressure") return "pressures" + such;
-  if (key.quantity == "table of length") return "a length, a list of [time, length], or a CSV file" + such;
+  if (key.quantity.starts_with("table of ")) {
+    const std::string kind = key.quantity.substr(9);
+    return fmt::format("a {0}, a list of [time, {0}], or a CSV file{1}", kind, such);
+  }
   return "a text" + such;
 }
 

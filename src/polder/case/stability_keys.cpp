@@ -107,7 +107,9 @@ std::vector<Key> stability_keys() {
       {"load", "name", "", "name", false, "", any, infinity, R"("traffic")", "For messages and the report."},
       {"load", "span", "", "list of length", false, "", any, infinity, R"(["1 m", "2 m"])",
        "[from, to] of x where it stands on the ground. Needed."},
-      {"load", "pressure", "q", "pressure", false, "0 kPa", -1e7, 1e7, R"("13 kPa")", "Pressure on the ground."},
+      {"load", "pressure", "q", "table of pressure", false, "0 kPa", -1e7, 1e7, R"("13 kPa")",
+       "Pressure on the ground: one value, a list [[time, pressure], …], or a CSV file. The factor of safety takes the "
+       "last."},
       {"load", "spread", "", "angle", false, "0 deg", 0, 1.2, R"("30 deg")",
        "Angle from the vertical over which it spreads with depth."},
       {"load", "consolidation", "U", "ratio", false, "1", 0, 1, "1",

@@ -110,7 +110,12 @@ stability::Input read_stability(const Sections& sections, const Model& model, Di
     need(load, "span", diagnostics);
     const auto span = range_of(load, "span", diagnostics);
     if (!span) continue;
-    StripLoad strip{load.text("name"), (*span)[0], (*span)[1], load.number("pressure"), load.number("spread"), {}};
+    StripLoad strip{load.text("name"),
+                    (*span)[0],
+                    (*span)[1],
+                    load.find("pressure") ? load.find("pressure")->table.y.back() : 0,
+                    load.number("spread"),
+                    {}};
     if (const double degree = load.number("consolidation", 1); degree < 1)
       strip.consolidation.assign(model.soils.size(), degree);
     input.loads.push_back(strip);

@@ -3,14 +3,15 @@
 //
 // Each phase lives in a box of cells. What spline weights write beyond a wall is added to its mirror image (fold), and
 // what they read there is the mirror image (reflect): even for scalars, masses and, at a smooth wall, tangential
-// components; odd for the component normal to the wall and, at a fully rough wall, for the tangential ones too.
+// components; odd for the component normal to the wall and, at a fully rough wall, for the tangential ones too. At a
+// side that is open all is even: what lies beyond moves as what is inside.
 #include <array>
 
 #include "polder/grid/lattice.hpp"
 
 namespace polder {
 
-enum class WallKind { smooth, rough };
+enum class WallKind { smooth, rough, open };
 
 struct PhaseBox {
   std::array<int, 3> low{0, 0, 0};                ///< first cell inside, per axis
@@ -38,7 +39,9 @@ void over_mirrors(int component, bool motion, const PhaseBox& box, const Lattice
     const bool normal = component == axis;
     const std::ptrdiff_t s = lattice.stride[axis], origin = Lattice<Space>::ghost_low * s;
     for (int side = 0; side < 2; ++side) {
-      const double sign = motion && (normal || box.wall[axis][side] == WallKind::rough) ? -1.0 : 1.0;
+      const WallKind kind = box.wall[axis][side];
+      const bool odd = normal ? kind != WallKind::open : kind == WallKind::rough;
+      const double sign = motion && odd ? -1.0 : 1.0;
       // faces normal to the wall sit on it and mirror about it; everything else is half a cell off
       const int low = box.low[axis], high = box.high[axis];
       const std::ptrdiff_t ghost = origin + (side == 0 ? low - 1 : normal ? high + 1 : high) * s;

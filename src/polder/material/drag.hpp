@@ -15,6 +15,9 @@
 // Sources: Ergun (1952), Chem. Eng. Prog. 48; Wen and Yu (1966), Chem. Eng. Prog. Symp. 62; Gidaspow (1994), Multiphase
 // Flow and Fluidization; Beetstra, van der Hoef and Kuipers (2007), AIChE J. 53.
 //
+// With an exponent m the linear part follows K = K(n₀) [(1 − n₀)/(1 − n)]^m instead: (1 − n₀)/(1 − n) is the ratio of
+// a volume of soil to its volume at the start.
+//
 // A given hydraulic conductivity K(n₀) is kept as the grain diameter that Kozeny–Carman (κ = D²n³/(A(1−n)²)) assigns
 // to it: all laws then scale with the porosity alike, and Ergun's b = ρ_w B/√(A n³κ) follows.
 #include <algorithm>
@@ -35,6 +38,7 @@ struct DragInput {
   double initial_porosity = 0.4;
   double water_density = 1000, viscosity = 1e-3;  ///< kg/m³, Pa s
   double gravity = 9.81;                          ///< m/s², the one that the conductivity refers to
+  std::optional<double> exponent;  ///< m of K = K(n₀) [(1 − n₀)/(1 − n)]^m; absent: Kozeny–Carman
 };
 
 /// Coefficients of one material in one direction (make two where horizontal and vertical permeability differ).
@@ -44,11 +48,16 @@ struct Drag {
   double inertial;  ///< kg/m⁴, factor of (1−n)|q|/n³
   double diameter;  ///< m, of the grain in a suspension
   double density, viscosity;
+  bool power = false;      ///< the linear part follows [(1 − n)/(1 − n₀)]^exponent, not Kozeny–Carman
+  double exponent = 0;     ///< m
+  double at_start = 0;     ///< Pa s/m², the linear part at n₀
+  double solid_start = 1;  ///< 1 − n₀
 };
 
 /// μ/κ(n), Pa s/m²: what resists slow flow in packed soil.
 inline double linear_resistance(const Drag& drag, double n) {
   const double phi = 1 - n;
+  if (drag.power) return drag.at_start * std::pow(phi / drag.solid_start, drag.exponent);
   double c = drag.viscous * phi * phi / (n * n * n);
   if (drag.law == DragLaw::beetstra)
     c += 18 * phi * drag.viscosity / (drag.diameter * drag.diameter) * n * (1 + 1.5 * std::sqrt(phi));
@@ -102,6 +111,7 @@ inline double drag_coefficient(const Drag& drag, double n, double q) {
     case DragLaw::darcy:
       break;
   }
+  if (drag.power) return linear_resistance(drag, n) + quadratic_resistance(drag, n) * q;
   const double phi = 1 - n;
   return phi / (n * n * n) * (drag.viscous * phi + drag.inertial * q);
 }
@@ -135,8 +145,15 @@ inline Drag make_drag(const DragInput& in) {
     }
   }
   const double b = in.law == DragLaw::darcy || beetstra ? 0.0 : in.ergun_b;
-  return {in.law,      a * in.viscosity / (packed * packed), b * in.water_density / packed, grain, in.water_density,
-          in.viscosity};
+  Drag drag{in.law,      a * in.viscosity / (packed * packed), b * in.water_density / packed, grain, in.water_density,
+            in.viscosity};
+  if (in.exponent) {
+    drag.at_start = linear_resistance(drag, n);
+    drag.solid_start = phi;
+    drag.exponent = *in.exponent;
+    drag.power = true;
+  }
+  return drag;
 }
 
 /// Viscosity of water that carries grains, Pa s; φ = 1 − n. Beenakker (1984), as the published studies use it.

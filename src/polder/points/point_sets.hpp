@@ -57,7 +57,9 @@ struct SoilPoints {
   AlignedVector<std::uint64_t> id;
   AlignedVector<std::int32_t> home;
   AlignedVector<std::uint8_t> material;
-  AlignedVector<std::uint8_t> fluid;  ///< 1: grains out of contact
+  AlignedVector<std::uint8_t> fluid;      ///< 1: grains out of contact
+  AlignedVector<std::uint8_t> saturated;  ///< 1: carries the water of its pores (single-point formulation)
+  AlignedVector<std::uint8_t> load;       ///< 1 + number of the load on the ground that it carries; 0: none
 
   std::size_t size() const { return mass.size(); }
   /// body(name, component, array) for every array.
@@ -76,6 +78,8 @@ struct SoilPoints {
     body("home", 0, home);
     body("material", 0, material);
     body("fluid", 0, fluid);
+    body("saturated", 0, saturated);
+    body("load", 0, load);
   }
 };
 

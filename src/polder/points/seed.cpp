@@ -95,8 +95,9 @@ SeededPoints<Space> seed_points(const Model& model, const Lattice<Space>& lattic
           points.soil.mass[p] = (1 - porosity) * input.grain_density * volume * open;
           points.soil.porosity[p] = porosity;
           points.soil.material[p] = static_cast<std::uint8_t>(material);
+          points.soil.saturated[p] = model.single_point && below;
         }
-        if (free || (soil >= 0 && below)) {
+        if (free || (soil >= 0 && below && !model.single_point)) {
           const std::size_t p = append_points(points.water, 1);
           place(points.water, p, site, x, 1);
           points.water.volume[p] = porosity * volume * open;
@@ -113,7 +114,7 @@ PointCount count_points(const Model& model) {
   for (int a = 0; a < axes; ++a) cells[a] = static_cast<int>(std::lround(model.size[a] / model.cell[a]));
   const auto add = [&](std::uint64_t, const std::array<double, 3>&, int soil, bool free, bool below, double) {
     count.soil += soil >= 0;
-    count.water += free || (soil >= 0 && below);
+    count.water += free || (soil >= 0 && below && !model.single_point);
   };
   if (axes == 3)
     over_sites<Solid>(model, cells, model.cell, add);

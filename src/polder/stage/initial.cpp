@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "polder/case/geometry.hpp"
+#include "polder/math/units.hpp"
 
 namespace polder {
 
@@ -85,11 +86,19 @@ Setup<Space> make_setup(const Model& model) {
   setup.numerics = model.numerics;
   setup.gravity = model.gravity;
   setup.points_per_axis = model.points_per_axis;
+  setup.single_point = model.single_point;
   setup.reservoirs = make_reservoirs(model, setup.lattice);
 
   for (PhaseBox* box : {&setup.soil_box, &setup.water_box})
     for (int a = 0; a < Space::axes; ++a) box->high[a] = cells[a];
+  for (const GroundLoad& load : model.loads) setup.loads.push_back(load.pressure);
   for (const Boundary& boundary : model.boundaries) {
+    if (boundary.side && (boundary.water == WaterCondition::head || boundary.water == WaterCondition::inflow)) {
+      const auto [axis, end] = side_of<Space>(*boundary.side);
+      const bool head = boundary.water == WaterCondition::head;
+      setup.open_sides.push_back({axis, end, head, head ? boundary.head : boundary.inflow});
+      setup.water_box.wall[axis][end] = WallKind::open;
+    }
     if (boundary.soil == SoilCondition::none) continue;
     if (boundary.side) {
       const auto [axis, end] = side_of<Space>(*boundary.side);
@@ -110,8 +119,16 @@ Setup<Space> make_setup(const Model& model) {
     material.max_porosity = input.max_porosity;
     material.fixed = input.fixed;
     for (int d = 0; d < 2; ++d) {
-      DragInput drag{input.drag,     input.ergun_a,       input.ergun_b,         input.grain_diameter, std::nullopt,
-                     input.porosity, model.water.density, model.water.viscosity, model.gravity};
+      DragInput drag{input.drag,
+                     input.ergun_a,
+                     input.ergun_b,
+                     input.grain_diameter,
+                     std::nullopt,
+                     input.porosity,
+                     model.water.density,
+                     model.water.viscosity,
+                     model.gravity > 0 ? model.gravity : standard_gravity,
+                     input.permeability_exponent};
       if (input.permeability) drag.conductivity = (*input.permeability)[d];
       material.drag[d] = make_drag(drag);
     }

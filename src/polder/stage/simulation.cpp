@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polder/boundary/load.hpp"
 #include "polder/boundary/standing_walls.hpp"
 #include "polder/points/seed.hpp"
 #include "polder/stage/initial.hpp"
@@ -17,6 +18,7 @@ template <class Space>
 Stepper<Space> make_stepper(const Model& model, int threads) {
   Setup<Space> setup = make_setup<Space>(model);
   SeededPoints<Space> points = seed_points<Space>(model, setup.lattice);
+  mark_loaded_points(model, setup.lattice, points.soil);
   if (model.initial_stress == InitialStress::k0) set_k0_stress(model, setup, points.soil);
   for (std::size_t p = 0; p < points.soil.size(); ++p) {
     std::array<double, StressBatch<4>::max_state> state{};

@@ -65,7 +65,10 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
     const double* quadratic_drag = grid.quadratic_drag[setup.anisotropic && vertical].data();
     double *vs = grid.soil_velocity[c].data(), *vw = grid.water_velocity[c].data(), *porosity = grid.porosity[c].data();
     double *rw = grid.water_response[c].data(), *rs = grid.soil_response[c].data(), *beta = grid.mobility[c].data();
-    double* before = grid.soil_before[c].data();
+    double *before = grid.soil_before[c].data(), *water_before = grid.water_before[c].data();
+    const double* carried = grid.carried_mass[c].data();
+    const double* discharge = grid.discharge[c].data();
+    const OpenSide* opening[2] = {setup.open_side(c, 0), setup.open_side(c, 1)};
     std::uint8_t* reached = grid.reached[c].data();
 
     over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
@@ -77,7 +80,7 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
         const bool both_wet = grid.wet[low] && grid.wet[f], beside_wet = grid.wet[low] || grid.wet[f];
         reached[f] = beside_wet && (end || !wall);
         if (soil_mass[f] == 0 && water_mass[f] == 0 && !beside_wet) {
-          vs[f] = vw[f] = rs[f] = rw[f] = beta[f] = 0;
+          water_before[f] = vs[f] = vw[f] = rs[f] = rw[f] = beta[f] = 0;
           porosity[f] = 1;
           continue;
         }
@@ -88,17 +91,27 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
         const double rho_s =
             one_material || solid <= 0 ? rho_s0 : (grid.soil_cell_mass[low] + grid.soil_cell_mass[f]) / solid;
         const double full_of_grains = rho_s * volume;
-        const double n = std::max(0.2, 1 - soil_mass[f] / full_of_grains);
+        double n = std::max(0.2, 1 - soil_mass[f] / full_of_grains), ends = 0;
+        if (beside_wet && !both_wet && !wall && solid > 0) {
+          const std::ptrdiff_t wet = grid.wet[f] ? f : low;
+          ends = std::max(0.0, 1 - (solid - grid.solid_volume[wet]) / std::max(grid.solid_volume[wet], 1e-300));
+          n += ends * (grid.cell_porosity[wet] - n);
+        }
         porosity[f] = n;
         const bool has_soil = soil_mass[f] > soil_present * full_of_grains;
 
-        double S = std::min(1.0, water_mass[f] / (rho_w * n * volume));
+        const double held = setup.single_point ? carried[f] : 0;
+        double S = std::min(1.0, (water_mass[f] + held) / (rho_w * n * volume));
         const bool has_water = S > water_present;
-        if (beside_wet) S = both_wet ? 1 : std::max(least_saturation, S);
+        const OpenSide* side = place == 0 ? opening[0] : place == lattice.cells[c] ? opening[1] : nullptr;
+        if (beside_wet) S = both_wet || side ? 1 : std::max(least_saturation, S);
 
         double soil = has_soil ? vs[f] / soil_mass[f] : 0;
         before[f] = soil;
         double water = water_mass[f] > water_present * rho_w * volume ? vw[f] / water_mass[f] : soil;
+        // water that soil points carry remembers its motion relative to them on the grid
+        if (held > 0) water = (vw[f] + held * (soil + discharge[f] / n)) / (water_mass[f] + held);
+        water_before[f] = water;
         if (has_soil) {
           soil += dt * force[f] / std::max(soil_mass[f], force_floor * full_of_grains);
           if (vertical) soil -= dt * g;
@@ -113,7 +126,7 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
         if (met && vertical && has_water) soil += dt * g * rho_w / rho_s;
         const bool soil_fixed =
             (wall && !met) || all_fixed || place <= setup.soil_box.low[c] || place >= setup.soil_box.high[c];
-        const bool water_fixed = wall || (control.hold_water && !vertical);
+        const bool water_fixed = (wall && !(side && side->prescribes_head)) || (control.hold_water && !vertical);
         FaceState state{0, 0, 0, 0};
         if (met) {
           state.soil = has_soil && !soil_fixed ? soil : 0;
@@ -123,12 +136,17 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
             state.water_response = -dt / rho_w;
           }
         } else {
-          const double linear = 0.5 * (linear_drag[low] + linear_drag[f]);
-          const double quadratic = 0.5 * (quadratic_drag[low] + quadratic_drag[f]);
+          // where the soil ends at the surface, of the wet cell alone; on an open side, of the cell inside
+          const double share_low = side ? place > 0 : 0.5 * (1 + (grid.wet[low] ? ends : -ends));
+          const double linear = share_low * linear_drag[low] + (1 - share_low) * linear_drag[f];
+          const double quadratic = share_low * quadratic_drag[low] + (1 - share_low) * quadratic_drag[f];
           const double C = n * n * (linear + quadratic * flux[f]) * (inverse_volume / open) * S;
           state = couple(water, soil, n * rho_w * std::max(S, 1e-6), std::max(soil_mass[f] / volume, 1e-9), C, n, S, dt,
                          water_fixed, soil_fixed, !has_water && !beside_wet);
         }
+        if (side && !side->prescribes_head) state.water = -side->outward() * side->value(control.time) / n;
+        if (soil_fixed) before[f] = 0;
+        if (water_fixed) water_before[f] = 0;
         vw[f] = state.water;
         vs[f] = state.soil;
         rw[f] = state.water_response;

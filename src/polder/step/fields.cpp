@@ -6,10 +6,12 @@ namespace polder {
 
 template <class Space>
 void GridFields<Space>::activate(const Lattice<Space>& lattice, ActiveRows<Space> now) {
-  std::vector<Array*> zero{&solid_volume,      &soil_cell_mass, &linear_drag[0], &linear_drag[1], &quadratic_drag[0],
-                           &quadratic_drag[1], &water_volume,   &fill,           &pressure,       &potential};
-  for (auto* faces : {&soil_mass, &soil_velocity, &soil_force, &soil_before, &water_mass, &water_velocity,
-                      &relative_flux, &discharge, &soil_response, &water_response, &mobility, &shift})
+  std::vector<Array*> zero{&solid_volume,      &soil_cell_mass,    &linear_drag[0], &linear_drag[1],
+                           &quadratic_drag[0], &quadratic_drag[1], &water_volume,   &fill,
+                           &pressure,          &potential,         &saturated_solid};
+  for (auto* faces :
+       {&soil_mass, &soil_velocity, &soil_force, &soil_before, &water_mass, &water_velocity, &relative_flux,
+        &water_before, &carried_mass, &discharge, &soil_response, &water_response, &mobility, &shift})
     for (auto& component : *faces) zero.push_back(&component);
   std::vector<Array*> one{&cell_porosity};
   for (auto& component : porosity) one.push_back(&component);

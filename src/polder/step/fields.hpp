@@ -18,6 +18,8 @@ struct GridFields {
         soil_before(make_face_field(lattice)),
         water_mass(make_face_field(lattice)),
         water_velocity(make_face_field(lattice)),
+        water_before(make_face_field(lattice)),
+        carried_mass(make_face_field(lattice)),
         porosity(make_face_field(lattice)),
         relative_flux(make_face_field(lattice)),
         discharge(make_face_field(lattice)),
@@ -26,6 +28,7 @@ struct GridFields {
         mobility(make_face_field(lattice)),
         shift(make_face_field(lattice)),
         solid_volume(lattice.make_array()),
+        saturated_solid(lattice.make_array()),
         soil_cell_mass(lattice.make_array()),
         linear_drag{lattice.make_array(), lattice.make_array()},
         quadratic_drag{lattice.make_array(), lattice.make_array()},
@@ -34,6 +37,7 @@ struct GridFields {
         fill(lattice.make_array()),
         pressure(lattice.make_array()),
         potential(lattice.make_array()),
+        owed(lattice.make_array()),
         wet(static_cast<std::size_t>(lattice.size), 0),
         layer{wet, wet},
         soil_known(wet) {
@@ -54,6 +58,8 @@ struct GridFields {
   FaceField<Space> soil_before;     ///< m/s, velocity before the step's forces
   FaceField<Space> water_mass;      ///< kg
   FaceField<Space> water_velocity;  ///< as soil_velocity
+  FaceField<Space> water_before;    ///< m/s, velocity at the start of the step
+  FaceField<Space> carried_mass;    ///< kg of water that soil points carry (single-point)
   FaceField<Space> porosity;        ///< n_f = 1 − m_s/(ρs V_f)
   FaceField<Space> relative_flux;   ///< |q| = n|v_w − v_s| of the last step, m/s, lagged in the quadratic drag
   FaceField<Space> discharge;       ///< q = n(v_w − v_s), m/s, for the advection of water points
@@ -64,6 +70,7 @@ struct GridFields {
 
   // in cells
   Array solid_volume;                   ///< m³, by overlap of the points' boxes
+  Array saturated_solid;                ///< m³, grains of the soil points that carry water (single-point)
   Array soil_cell_mass;                 ///< kg, likewise
   std::array<Array, 2> linear_drag;     ///< Σ V a(n), Pa s m; horizontal and, where it differs, vertical
   std::array<Array, 2> quadratic_drag;  ///< Σ V b(n), kg/m
@@ -72,6 +79,7 @@ struct GridFields {
   Array fill;       ///< F = water volume / pore volume
   Array pressure;   ///< Pa, kept from step to step
   Array potential;  ///< ψ of the volume correction, m²
+  Array owed;       ///< m³ that came in through open sides and is not yet in points; by the cell beyond the side
   AlignedVector<std::uint8_t> wet;
   std::array<AlignedVector<std::uint8_t>, 2> layer;  ///< scratch of extrapolations
   AlignedVector<std::uint8_t> soil_known;

@@ -77,12 +77,14 @@ template <class Space, class Points>
 void move_chunk(const Setup<Space>& setup, const PhaseBox& box, bool walled, bool bodied, std::size_t first, int count,
                 const double (&displacement)[Space::axes][chunk_size], Points& points) {
   const auto& lattice = setup.lattice;
+  // points may pass a side that is open, to be taken out there
+  const auto gap = [&](int axis, int side) { return box.wall[axis][side] == WallKind::open ? -1 : wall_gap; };
   double before[Space::axes][chunk_size];
   if (walled)
     for (int a = 0; a < Space::axes; ++a) std::copy_n(points.position[a].data() + first, count, before[a]);
   for (int a = 0; a < Space::axes; ++a)
-    move(points.position[a].data() + first, displacement[a], count, (box.low[a] + wall_gap) * lattice.spacing[a],
-         (box.high[a] - wall_gap) * lattice.spacing[a]);
+    move(points.position[a].data() + first, displacement[a], count, (box.low[a] + gap(a, 0)) * lattice.spacing[a],
+         (box.high[a] - gap(a, 1)) * lattice.spacing[a]);
   for (int l = 0; bodied && l < count; ++l) leave_body(setup, box, first + static_cast<std::size_t>(l), points);
   for (int l = 0; walled && l < count; ++l) {
     std::array<double, 3> from{0, 0, 0}, to{0, 0, 0};

@@ -1,6 +1,7 @@
 #include "polder/step/points_to_grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "polder/step/face_loop.hpp"
 #include "polder/step/gather.hpp"
@@ -62,6 +63,43 @@ void scatter_component(const Lattice<Space>& lattice, const Points& points, cons
   }
 }
 
+/// A force (N, downwards) on the surface above a soil point of the given bulk volume: half the height that is left of
+/// its share of a cell.
+template <class Space>
+void press_on(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p, double volume, double force,
+              double* field) {
+  constexpr int up = Space::up;
+  const auto& lattice = setup.lattice;
+  const double half = 0.5 * lattice.spacing[up] / setup.points_per_axis * volume / setup.nominal_point_volume();
+  std::array<double, Space::axes> x{};
+  std::array<const double*, Space::axes> at{};
+  for (int a = 0; a < Space::axes; ++a) {
+    x[a] = soil.position[a][p];
+    at[a] = &x[a];
+  }
+  x[up] = std::min(x[up] + half, lattice.length(up) * (1 - 1e-9));
+  ChunkWeights<Space> chunk;
+  chunk.compute(lattice, at, 1);
+  const Vec4 row = splat4(-force) * spline_row(chunk.delta[0][0][0]).weight;
+  const std::ptrdiff_t base = stencil_base<up>(chunk, 0);
+  over_rows<up>(chunk, lattice, 0, [&](std::ptrdiff_t offset, double wy, double, double, double wz, double, double) {
+    store4(field + base + offset, load4(field + base + offset) + (wy * wz) * row);
+  });
+}
+
+/// Mass alone of component c.
+template <int c, class Space>
+void scatter_mass(const Lattice<Space>& lattice, const double* mass, int count, const ChunkWeights<Space>& chunk,
+                  double* field) {
+  for (int l = 0; l < count; ++l) {
+    const Vec4 row = mass[l] * spline_row(chunk.delta[0][c == 0][l]).weight;
+    const std::ptrdiff_t base = stencil_base<c>(chunk, l);
+    over_rows<c>(chunk, lattice, l, [&](std::ptrdiff_t offset, double wy, double, double, double wz, double, double) {
+      store4(field + base + offset, load4(field + base + offset) + (wy * wz) * row);
+    });
+  }
+}
+
 /// Clears face fields where points may write.
 template <class Space>
 void clear_faces(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, const PhaseBox& box,
@@ -85,10 +123,42 @@ void over_chunks(const Tiling<Space>& tiling, Team& team, Body&& body) {
     });
 }
 
+/// Water in the pores of the soil that the soil points carry: mass to the faces, volume to the cells.
+template <class Space>
+void carried_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
+                     GridFields<Space>& grid, Team& team) {
+  const auto& lattice = setup.lattice;
+  const double cell_volume = lattice.cell_volume();
+  clear_faces<Space>(lattice, grid.rows, setup.soil_box, {&grid.carried_mass}, team);
+  std::fill(grid.saturated_solid.begin(), grid.saturated_solid.end(), 0.0);
+  over_chunks(tiling, team, [&](std::size_t first, int count) {
+    ChunkWeights<Space> chunk;
+    chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
+    double mass[chunk_size];
+    for (int l = 0; l < count; ++l) {
+      const std::size_t p = first + l;
+      const double n = soil.porosity[p];
+      const double bulk = soil.mass[p] / (setup.materials[soil.material[p]].grain_density * (1 - n));
+      const double water = soil.saturated[p] ? n * bulk : 0, solid = soil.saturated[p] ? (1 - n) * bulk : 0;
+      mass[l] = setup.water.density * water;
+      std::array<double, 3> x{0, 0, 0};
+      for (int d = 0; d < Space::axes; ++d) x[d] = soil.position[d][p];
+      const BoxOverlap<Space> box(lattice, x, half_edge<Space>(bulk, cell_volume), setup.soil_box.low,
+                                  setup.soil_box.high);
+      box.over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
+        grid.water_volume[cell] += share * water;
+        grid.saturated_solid[cell] += share * solid;
+      });
+    }
+    over_components<Space>([&]<int c>() { scatter_mass<c>(lattice, mass, count, chunk, grid.carried_mass[c].data()); });
+  });
+  for (int c = 0; c < Space::axes; ++c) fold(grid.carried_mass[c], c, false, setup.soil_box, lattice);
+}
+
 }  // namespace
 
 template <class Space>
-void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
+void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling, double time,
                   GridFields<Space>& grid, Team& team) {
   const auto& lattice = setup.lattice;
   clear_faces<Space>(lattice, grid.rows, setup.soil_box, {&grid.soil_mass, &grid.soil_velocity, &grid.soil_force},
@@ -99,6 +169,9 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
       std::fill_n(field->begin() + first, count, 0.0);
   });
   const double cell_volume = lattice.cell_volume();
+  std::vector<double> load;  // N on one point
+  for (const Table& pressure : setup.loads)
+    load.push_back(pressure(time) * lattice.face_area(Space::up) / std::pow(setup.points_per_axis, Space::axes - 1));
 
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     ChunkWeights<Space> chunk;
@@ -150,6 +223,9 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
         scatter_component<c, true>(lattice, soil, soil.mass.data() + first, volume, first, count, chunk,
                                    grid.soil_mass[c].data(), grid.soil_velocity[c].data(), grid.soil_force[c].data());
     });
+    for (int l = 0; l < count && !load.empty(); ++l)
+      if (soil.load[first + l] > 0)
+        press_on(setup, soil, first + l, volume[l], load[soil.load[first + l] - 1], grid.soil_force[Space::up].data());
   });
 
   for (int c = 0; c < Space::axes; ++c) {
@@ -166,14 +242,15 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
 }
 
 template <class Space>
-void water_to_grid(const Setup<Space>& setup, const WaterPoints<Space>& water, const Tiling<Space>& tiling,
-                   GridFields<Space>& grid, Team& team) {
+void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& soil_tiling,
+                   const WaterPoints<Space>& water, const Tiling<Space>& tiling, GridFields<Space>& grid, Team& team) {
   const auto& lattice = setup.lattice;
   clear_faces<Space>(lattice, grid.rows, setup.water_box, {&grid.water_mass, &grid.water_velocity}, team);
   over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
     std::fill_n(grid.water_volume.begin() + first, count, 0.0);
   });
   const double cell_volume = lattice.cell_volume(), density = setup.water.density;
+  if (setup.single_point) carried_to_grid(setup, soil, soil_tiling, grid, team);
 
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     ChunkWeights<Space> chunk;
@@ -218,18 +295,23 @@ void water_to_grid(const Setup<Space>& setup, const WaterPoints<Space>& water, c
     for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
       const double open = setup.bodies.open_cell(cell);
       grid.fill[cell] = open > 0 ? grid.water_volume[cell] / (grid.cell_porosity[cell] * cell_volume * open) : 0;
+      if (setup.single_point) {  // soil that carries its water ends where its grains do: what is above is not pores
+        const double saturated = grid.saturated_solid[cell];
+        grid.fill[cell] = (grid.water_volume[cell] + saturated) / (grid.cell_porosity[cell] * cell_volume + saturated);
+      }
       grid.wet[cell] = grid.fill[cell] > setup.numerics.wet_threshold;
     }
   });
 }
 
 template void soil_to_grid(const Setup<PlaneStrain>&, const SoilPoints<PlaneStrain>&, const Tiling<PlaneStrain>&,
-                           GridFields<PlaneStrain>&, Team&);
-template void soil_to_grid(const Setup<Solid>&, const SoilPoints<Solid>&, const Tiling<Solid>&, GridFields<Solid>&,
-                           Team&);
-template void water_to_grid(const Setup<PlaneStrain>&, const WaterPoints<PlaneStrain>&, const Tiling<PlaneStrain>&,
-                            GridFields<PlaneStrain>&, Team&);
-template void water_to_grid(const Setup<Solid>&, const WaterPoints<Solid>&, const Tiling<Solid>&, GridFields<Solid>&,
+                           double, GridFields<PlaneStrain>&, Team&);
+template void soil_to_grid(const Setup<Solid>&, const SoilPoints<Solid>&, const Tiling<Solid>&, double,
+                           GridFields<Solid>&, Team&);
+template void water_to_grid(const Setup<PlaneStrain>&, const SoilPoints<PlaneStrain>&, const Tiling<PlaneStrain>&,
+                            const WaterPoints<PlaneStrain>&, const Tiling<PlaneStrain>&, GridFields<PlaneStrain>&,
                             Team&);
+template void water_to_grid(const Setup<Solid>&, const SoilPoints<Solid>&, const Tiling<Solid>&,
+                            const WaterPoints<Solid>&, const Tiling<Solid>&, GridFields<Solid>&, Team&);
 
 }  // namespace polder

@@ -42,6 +42,22 @@ void assemble(const Setup<Space>& setup, const GridFields<Space>& grid, CellMatr
   });
 }
 
+/// The pressure beyond the sides with a head, on the right side of the equation.
+template <class Space, class Distance>
+void add_heads(const Setup<Space>& setup, const GridFields<Space>& grid, Distance&& distance, Array& right_side) {
+  const auto& lattice = setup.lattice;
+  for (const OpenSide& side : setup.open_sides) {
+    if (!side.prescribes_head) continue;
+    const double scale = lattice.cell_volume() / (lattice.spacing[side.axis] * lattice.spacing[side.axis]);
+    over_side(lattice, side.axis, side.end,
+              [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>&) {
+                if (grid.wet[inside])
+                  right_side[inside] +=
+                      scale * grid.mobility[side.axis][face] * grid.pressure[outside] / distance(inside, outside);
+              });
+  }
+}
+
 constexpr std::uint64_t all_known = 0x0101010101010101;
 
 /// Eight flags at once.
@@ -121,7 +137,9 @@ template <class Space>
 SolveResult project(const Setup<Space>& setup, double dt, GridFields<Space>& grid, PressureSolver<Space>& solver,
                     Team& team) {
   const auto& lattice = setup.lattice;
-  const double storage = lattice.cell_volume() / (setup.water.bulk_modulus * dt);
+  const double theta = setup.numerics.pressure_weight, earlier = (1 - theta) / theta;
+  const double storage = lattice.cell_volume() / (setup.water.bulk_modulus * dt * theta * theta);
+  const Array before = theta < 1 ? grid.pressure : Array{};
   const auto distance = [&](std::ptrdiff_t wet, std::ptrdiff_t dry) {
     return surface_distance(grid.fill[wet], grid.fill[dry]);
   };
@@ -140,7 +158,9 @@ SolveResult project(const Setup<Space>& setup, double dt, GridFields<Space>& gri
       for (int a = 0; a < Space::axes; ++a) {
         const auto flux = [&](std::ptrdiff_t f) {
           const double n = grid.porosity[a][f];
-          return setup.bodies.open_face(a, f) * (n * grid.water_velocity[a][f] + (1 - n) * grid.soil_velocity[a][f]);
+          double v = n * grid.water_velocity[a][f] + (1 - n) * grid.soil_velocity[a][f];
+          if (earlier > 0) v += earlier * (n * grid.water_before[a][f] + (1 - n) * grid.soil_before[a][f]);
+          return setup.bodies.open_face(a, f) * v;
         };
         divergence += lattice.face_area(a) * (flux(cell + lattice.stride[a]) - flux(cell));
       }
@@ -148,6 +168,7 @@ SolveResult project(const Setup<Space>& setup, double dt, GridFields<Space>& gri
           storage * grid.cell_porosity[cell] * setup.bodies.open_cell(cell) * grid.pressure[cell] - divergence;
     }
   });
+  add_heads(setup, grid, distance, solver.right_side);
   const SolveResult result = solver.solve(grid.rows, grid.pressure, setup.numerics.pressure_tolerance, 400, team);
 
   for (int c = 0; c < Space::axes; ++c) {
@@ -160,15 +181,16 @@ SolveResult project(const Setup<Space>& setup, double dt, GridFields<Space>& gri
         double gradient;
         if (grid.wet[low] && grid.wet[f])
           gradient = (grid.pressure[f] - grid.pressure[low]) * inverse;
-        else if (grid.wet[low])
-          gradient = -grid.pressure[low] * inverse / distance(low, f);
-        else
-          gradient = grid.pressure[f] * inverse / distance(f, low);
+        else  // what is not wet has pressure zero; beyond a side with a head it is the side's
+          gradient =
+              (grid.pressure[f] - grid.pressure[low]) * inverse / (grid.wet[low] ? distance(low, f) : distance(f, low));
         grid.water_velocity[c][f] += grid.water_response[c][f] * gradient;
         grid.soil_velocity[c][f] += grid.soil_response[c][f] * gradient;
       }
     });
   }
+  for (std::size_t cell = 0; cell < before.size(); ++cell)
+    if (grid.wet[cell]) grid.pressure[cell] = (grid.pressure[cell] - (1 - theta) * before[cell]) / theta;
   return result;
 }
 
@@ -178,19 +200,20 @@ void extrapolate_water(const Setup<Space>& setup, GridFields<Space>& grid, FaceF
   const auto& lattice = setup.lattice;
   for (int c = 0; c < Space::axes; ++c) {
     double* v = field[c].data();
+    const bool open[2] = {setup.open_side(c, 0) != nullptr, setup.open_side(c, 1) != nullptr};
     const AlignedVector<std::uint8_t>& filled =
         spread(lattice, setup.walls, c, grid.reached[c], 2, field[c], grid, team);
     over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
       double* row = v + first;
       const std::uint8_t* known = filled.data() + first;
       const double* mass = grid.water_mass[c].data() + first;
-      if (c > 0 && (at[c] == 0 || at[c] == lattice.cells[c])) {  // on a wall
+      if (c > 0 && ((at[c] == 0 && !open[0]) || (at[c] == lattice.cells[c] && !open[1]))) {  // on a wall
         std::fill_n(row, count, 0.0);
         return;
       }
       for (int i = 0; i < count; ++i) row[i] = known[i] || (keep_ballistic && mass[i] > 0) ? row[i] : 0;
-      if (c == 0 && at[0] == 0) row[0] = 0;
-      if (c == 0 && at[0] + count == lattice.cells[0] + 1) row[count - 1] = 0;
+      if (c == 0 && at[0] == 0 && !open[0]) row[0] = 0;
+      if (c == 0 && at[0] + count == lattice.cells[0] + 1 && !open[1]) row[count - 1] = 0;
     });
   }
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "polder/boundary/open_side.hpp"
 #include "polder/boundary/reservoir.hpp"
 #include "polder/case/model.hpp"
 #include "polder/grid/bodies.hpp"
@@ -33,14 +34,24 @@ struct Setup {
   std::vector<SoilMaterial> materials;
   WaterProperties water;
   std::vector<Reservoir<Space>> reservoirs;
+  std::vector<OpenSide> open_sides;
+  std::vector<Table> loads;  ///< Pa on the ground, of the time in s
   Numerics numerics;
-  double gravity = 9.81;     ///< m/s²
-  int points_per_axis = 2;   ///< of a full cell at the start
-  bool anisotropic = false;  ///< some material drains differently in the vertical
-  double soil_step = 1e300;  ///< s, CFL limit of the drained P-wave
+  double gravity = 9.81;      ///< m/s²
+  int points_per_axis = 2;    ///< of a full cell at the start
+  bool single_point = false;  ///< soil points carry the water of their pores
+  bool anisotropic = false;   ///< some material drains differently in the vertical
+  double soil_step = 1e300;   ///< s, CFL limit of the drained P-wave
 
   /// Whether nothing crosses this face, for a thin wall or a body that covers it.
   bool shut(int axis, std::ptrdiff_t face) const { return walls.blocked(axis, face) || bodies.closed(axis, face); }
+
+  /// The open side at this end of an axis, or nullptr.
+  const OpenSide* open_side(int axis, int end) const {
+    for (const OpenSide& side : open_sides)
+      if (side.axis == axis && side.end == end) return &side;
+    return nullptr;
+  }
 
   double nominal_point_volume() const {
     double v = lattice.cell_volume();

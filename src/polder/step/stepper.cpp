@@ -6,6 +6,7 @@
 
 #include "polder/points/resample.hpp"
 #include "polder/step/face_predictor.hpp"
+#include "polder/step/open_sides.hpp"
 #include "polder/step/points_to_grid.hpp"
 
 namespace polder {
@@ -43,7 +44,7 @@ Stepper<Space>::Stepper(Setup<Space> setup_, SoilPoints<Space> soil_, WaterPoint
 template <class Space>
 double Stepper<Space>::natural_step() const {
   double dt = std::min(setup.numerics.max_step, soil.size() > 0 ? setup.soil_step : 1e300);
-  if (setup.gravity > 0 && water.size() > 0)
+  if (setup.gravity > 0 && (water.size() > 0 || setup.single_point))
     dt = std::min(dt, surface_cfl * std::sqrt(setup.lattice.smallest_spacing() / setup.gravity));
   if (motion.speed > 0) dt = std::min(dt, point_cfl / motion.speed);
   return dt;
@@ -101,11 +102,13 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   prepare();
   watch.lap(times.sort);
 
-  soil_to_grid(setup, soil, soil_tiling_, grid, team);
-  water_to_grid(setup, water, water_tiling_, grid, team);
+  soil_to_grid(setup, soil, soil_tiling_, control.time, grid, team);
+  water_to_grid(setup, soil, soil_tiling_, water, water_tiling_, grid, team);
+  if (!setup.open_sides.empty()) prepare_open_sides(setup, control.time, grid);
   watch.lap(times.to_grid);
 
   predict_faces(setup, control, dt, grid, team);
+  if (!setup.open_sides.empty()) close_seepage_faces(setup, grid);
   watch.lap(times.faces);
 
   report.pressure = project(setup, dt, grid, solver_, team);
@@ -136,7 +139,11 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   motion.take(of_soil);
   watch.lap(times.to_points);
 
-  if (!setup.reservoirs.empty()) exchanged = exchange_with_reservoirs(setup, control.time, grid, next_water_id, water);
+  exchanged.clear();
+  if (!setup.open_sides.empty()) exchanged = exchange_through_sides(setup, dt, grid, next_water_id, water);
+  if (!setup.reservoirs.empty())
+    for (const Exchange& exchange : exchange_with_reservoirs(setup, control.time, grid, next_water_id, water))
+      exchanged.push_back(exchange);
   if (!exchanged.empty()) sort_water();
   ++step;
   if (setup.numerics.split_water && soil.size() > 0 && step % resample_every == 0) resample();

@@ -43,6 +43,9 @@ class Stepper {
         [&](const char* name, int c, auto& a) { archive("water/" + std::string(name) + std::to_string(c), a); });
     archive("grid/pressure", grid.pressure);
     for (int c = 0; c < Space::axes; ++c) archive("grid/relative_flux" + std::to_string(c), grid.relative_flux[c]);
+    if (!setup.open_sides.empty()) archive("grid/owed", grid.owed);
+    if (setup.single_point)
+      for (int c = 0; c < Space::axes; ++c) archive("grid/discharge" + std::to_string(c), grid.discharge[c]);
     archive("step", step);
     archive("next_water_id", next_water_id);
     archive("speed", motion.speed);

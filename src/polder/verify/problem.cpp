@@ -33,7 +33,8 @@ double Refinement::error_of(const Findings& findings) const {
 std::span<const Problem> problems() {
   static const std::vector<Problem> all = [] {
     std::vector<Problem> list;
-    for (auto* family : {rest_problems, dam_break_problems, seepage_problems, sheet_pile_problems, element_problems})
+    for (auto* family : {rest_problems, dam_break_problems, consolidation_problems, wave_problems, seepage_problems,
+                         sheet_pile_problems, fluidisation_problems, element_problems})
       for (Problem& problem : family()) list.push_back(std::move(problem));
     return list;
   }();

@@ -65,5 +65,8 @@ std::vector<Problem> dam_break_problems();
 std::vector<Problem> seepage_problems();
 std::vector<Problem> sheet_pile_problems();
 std::vector<Problem> element_problems();
+std::vector<Problem> consolidation_problems();
+std::vector<Problem> fluidisation_problems();
+std::vector<Problem> wave_problems();
 
 }  // namespace polder::verify

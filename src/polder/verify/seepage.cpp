@@ -1,4 +1,5 @@
-// Steady flow through soil: unconfined between two reservoirs (Dupuit, exact for the discharge).
+// Steady flow through soil: a column under a given gradient (Ergun), unconfined between two reservoirs (Dupuit, exact
+// for the discharge).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -59,11 +60,67 @@ Findings dupuit(const Source& source) {
   return findings;
 }
 
+/// q under the gradient i by Ergun's law: a q + b q² = ρ g i.
+double ergun_discharge(const Model& model, double i) {
+  const MaterialInput& m = model.materials.at(0);
+  const double n = m.porosity, phi = 1 - n, d = m.grain_diameter, weight = model.water.density * model.gravity;
+  const double a = m.ergun_a * model.water.viscosity * phi * phi / (n * n * n * d * d);
+  const double b = m.ergun_b * model.water.density * phi / (n * n * n * d);
+  return 2 * weight * i / (a + std::sqrt(a * a + 4 * b * weight * i));
+}
+
+/// The gradient that the heads of the two sides set at a time.
+double gradient_at(const Model& model, double time) {
+  double left = 0, right = 0;
+  for (const Boundary& b : model.boundaries) {
+    if (b.water != WaterCondition::head) continue;
+    (b.side == Side::left ? left : right) = b.head(time);
+  }
+  return (left - right) / model.size[0];
+}
+
+/// Discharge through the column at the end of each span of constant heads.
+void add_column(const Study& study, const std::string& material, Findings& findings, Chart& chart) {
+  constexpr double ends[] = {1, 2, 3};  // s, of the spans
+  Samples samples({0.99, 1.99, 2.99});
+  Simulation<PlaneStrain> run(study.run, 1);
+  const int middle = run.state().setup.lattice.cells[0] / 2;
+  Curve computed{"computed, " + material, {}, {}, true}, exact{"Ergun, " + material, {}, {}, false};
+  run_case(run,
+           [&](const auto& r) { samples.take(r.time(), {column_discharge(r.state(), middle) / study.run.size[1]}); });
+  for (std::size_t k = 0; k < samples.rows.size(); ++k) {
+    const double i = gradient_at(study.shipped, ends[k] - 0.01), q = ergun_discharge(study.shipped, i);
+    findings.comparisons.push_back({"discharge", fmt::format("{}, i = {:g}", material, i), q, samples.rows[k][0]});
+    computed.x.push_back(i), computed.y.push_back(samples.rows[k][0]);
+  }
+  for (double i = 0; i <= 1.0001; i += 0.02) exact.x.push_back(i), exact.y.push_back(ergun_discharge(study.shipped, i));
+  chart.curves.insert(chart.curves.end(), {exact, computed});
+}
+
+/// Two sands: the one of the case, and a fine one in water of 1 mPa s.
+Findings ergun_column(const Source& source) {
+  Findings findings;
+  Chart chart{"Discharge over gradient", "gradient", "discharge", "", "m/s", {}, {}};
+  Study study = source.study();
+  add_column(study, fmt::format("D = {:g} mm", study.shipped.materials.at(0).grain_diameter * 1e3), findings, chart);
+  for (Model* model : {&study.shipped, &study.run}) {
+    model->materials.at(0).grain_diameter *= 0.1;
+    model->water.viscosity *= 1e-3 / 8.905e-4;
+  }
+  Chart fine = chart;
+  add_column(study, fmt::format("D = {:g} mm", study.shipped.materials.at(0).grain_diameter * 1e3), findings, fine);
+  findings.figure = chart;
+  return findings;
+}
+
 }  // namespace
 
 std::vector<Problem> seepage_problems() {
-  return {{"dupuit", "Unconfined flow through a block between two reservoirs",
-           "Dupuit (1863), Charny (1951): exact for the discharge", true, dupuit}};
+  return {
+      {"ergun-column", "Flow through a column of sand under a given gradient", "Ergun (1952)", true, ergun_column},
+      {"ergun-column-single-point", "The same, water carried by the soil points", "Ergun (1952)", true, ergun_column},
+      {"dupuit", "Unconfined flow through a block between two reservoirs",
+       "Dupuit (1863), Charny (1951): exact for the discharge", true, dupuit}};
 }
 
 }  // namespace polder::verify

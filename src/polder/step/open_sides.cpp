@@ -1,0 +1,116 @@
+#include "polder/step/open_sides.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "polder/math/units.hpp"
+#include "polder/points/tiles.hpp"
+
+namespace polder {
+
+namespace {
+
+/// A layer of points along the inside of a side: ppa^(axes − 1) of them in one cell.
+template <class Space>
+void add_layer(const Setup<Space>& setup, const GridFields<Space>& grid, const OpenSide& side, std::ptrdiff_t face,
+               const std::array<int, 3>& cell, double each, std::uint64_t& next_id, WaterPoints<Space>& water) {
+  const auto& lattice = setup.lattice;
+  const int ppa = setup.points_per_axis;
+  std::array<int, 3> count{1, 1, 1};
+  for (int a = 0; a < Space::axes; ++a) count[a] = a == side.axis ? 1 : ppa;
+  for (int k = 0; k < count[2]; ++k)
+    for (int j = 0; j < count[1]; ++j)
+      for (int i = 0; i < count[0]; ++i) {
+        const int at[3] = {i, j, k};
+        const std::size_t p = append_points(water, 1);
+        water.id[p] = next_id++;
+        water.volume[p] = each;
+        for (int a = 0; a < Space::axes; ++a) {
+          const double share = a != side.axis ? (at[a] + 0.5) / ppa : side.end == 0 ? 0.5 / ppa : 1 - 0.5 / ppa;
+          water.position[a][p] = (cell[a] + share) * lattice.spacing[a];
+        }
+        water.velocity[side.axis][p] = grid.water_velocity[side.axis][face];
+      }
+}
+
+}  // namespace
+
+template <class Space>
+void prepare_open_sides(const Setup<Space>& setup, double time, GridFields<Space>& grid) {
+  const auto& lattice = setup.lattice;
+  const double gamma = setup.water.density * (setup.gravity > 0 ? setup.gravity : standard_gravity);
+  for (const OpenSide& side : setup.open_sides) {
+    if (!side.prescribes_head) continue;
+    const double head = side.value(time);
+    over_side(lattice, side.axis, side.end,
+              [&](std::ptrdiff_t, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>& cell) {
+                const double height = side.axis == Space::up ? (side.end == 0 ? 0 : lattice.length(Space::up))
+                                                             : (cell[Space::up] + 0.5) * lattice.spacing[Space::up];
+                grid.pressure[outside] = std::max(0.0, gamma * (head - height));
+                if (head > height) grid.wet[inside] = 1;
+                grid.fill[outside] = 1 - grid.fill[inside];  // puts the surface on the side, half a cell away
+              });
+  }
+}
+
+template <class Space>
+void close_seepage_faces(const Setup<Space>& setup, GridFields<Space>& grid) {
+  for (const OpenSide& side : setup.open_sides) {
+    if (!side.prescribes_head) continue;
+    over_side(setup.lattice, side.axis, side.end,
+              [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>&) {
+                if (grid.pressure[outside] > 0 || grid.pressure[inside] > 0) return;
+                grid.mobility[side.axis][face] = grid.water_response[side.axis][face] = 0;
+                grid.water_velocity[side.axis][face] = 0;
+              });
+  }
+}
+
+template <class Space>
+std::vector<Exchange> exchange_through_sides(const Setup<Space>& setup, double dt, GridFields<Space>& grid,
+                                             std::uint64_t& next_id, WaterPoints<Space>& water) {
+  std::vector<Exchange> exchanged;
+  const auto& lattice = setup.lattice;
+  std::vector<std::uint8_t> leaves(water.size(), 0);
+  bool any = false;
+  for (std::size_t p = 0; p < water.size(); ++p)
+    for (const OpenSide& side : setup.open_sides) {
+      const double x = water.position[side.axis][p];
+      if (leaves[p] || (side.end == 0 ? x >= 0 : x <= lattice.length(side.axis))) continue;
+      std::array<double, 3> at{0, 0, 0};
+      for (int a = 0; a < Space::axes; ++a) at[a] = water.position[a][p];
+      const auto cell = cell_of(lattice, at);
+      const std::ptrdiff_t inside = lattice.index(cell[0], cell[1], cell[2]);
+      grid.owed[inside + (side.end == 0 ? -1 : 1) * lattice.stride[side.axis]] += water.volume[p];
+      exchanged.push_back({inside, -water.volume[p]});
+      leaves[p] = 1;
+      any = true;
+    }
+  if (any) remove_points(water, leaves);
+  for (const OpenSide& side : setup.open_sides)
+    over_side(lattice, side.axis, side.end,
+              [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>& cell) {
+                double& owed = grid.owed[outside];
+                owed -= side.outward() * grid.porosity[side.axis][face] * grid.water_velocity[side.axis][face] *
+                        lattice.face_area(side.axis) * dt;
+                const double each = grid.cell_porosity[inside] * setup.nominal_point_volume();
+                const double layer = each * std::pow(setup.points_per_axis, Space::axes - 1);
+                while (owed >= layer) {
+                  add_layer(setup, grid, side, face, cell, each, next_id, water);
+                  owed -= layer;
+                  exchanged.push_back({inside, layer});
+                }
+              });
+  return exchanged;
+}
+
+template void prepare_open_sides(const Setup<PlaneStrain>&, double, GridFields<PlaneStrain>&);
+template void prepare_open_sides(const Setup<Solid>&, double, GridFields<Solid>&);
+template void close_seepage_faces(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&);
+template void close_seepage_faces(const Setup<Solid>&, GridFields<Solid>&);
+template std::vector<Exchange> exchange_through_sides(const Setup<PlaneStrain>&, double, GridFields<PlaneStrain>&,
+                                                      std::uint64_t&, WaterPoints<PlaneStrain>&);
+template std::vector<Exchange> exchange_through_sides(const Setup<Solid>&, double, GridFields<Solid>&, std::uint64_t&,
+                                                      WaterPoints<Solid>&);
+
+}  // namespace polder
