@@ -28,7 +28,6 @@ struct WaterProperties {
   double density = 1000;        ///< kg/m³
   double bulk_modulus = 2.2e9;  ///< Pa
   double viscosity = 1.0e-3;    ///< Pa s
-  bool friction = false;        ///< free water has the viscosity, too: friction inside it and on rough walls
 };
 
 struct MaterialInput {
@@ -75,8 +74,6 @@ struct Boundary {
   WaterCondition water = WaterCondition::closed;
   Region region;         ///< of a reservoir
   Table head;            ///< m above datum y = 0, as a function of time (reservoir, head)
-  bool no_slip = false;  ///< free water with friction sticks to the side
-  double slide = 0;      ///< m/s, velocity of such a side along itself (left and right: up; base and top: along x)
   Table inflow;          ///< m/s into the model, as a function of time (inflow)
 };
 
@@ -100,8 +97,6 @@ struct WallInput {
   int until_stage = -1;  ///< index into Model::stages; it vanishes as that stage begins; −1: none
 };
 
-enum class StageStart { keep, ramp };
-
 /// A span of the run. Stages marked `initial` run before t = 0 and end with displacements, velocities and plastic
 /// strains set to zero.
 struct Stage {
@@ -112,7 +107,6 @@ struct Stage {
   double damping = 0;        ///< 1/s, viscous damping of the soil's velocity
   double water_damping = 0;  ///< 1/s, of the water's velocity
   double local_damping = 0;  ///< Cundall's factor on the soil's out-of-balance force
-  double acceleration = 0;   ///< m/s², of all soil and water along x, besides gravity
   bool hold_water = false;   ///< water is held horizontally (the papers' gravity phase)
 };
 
@@ -164,7 +158,6 @@ struct Model {
   bool single_point = false;
   InitialStress initial_stress = InitialStress::k0;
   std::optional<double> k0;  ///< absent: 1 − sin φ' (Jaky) where the law has an angle, else ν/(1 − ν)
-  bool periodic = false;     ///< what leaves by the right side comes in by the left, and the other way round
   std::vector<Boundary> boundaries;
   std::vector<WallInput> walls;
   std::vector<GroundLoad> loads;
