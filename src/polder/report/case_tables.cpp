@@ -68,7 +68,8 @@ PageTable materials(const Json& list) {
     table.columns.push_back(words(text_of(material, "name")));
     table.numeric.push_back(true);
     for (const auto& [name, value] : material.items()) {
-      const bool listed = std::any_of(keys.begin(), keys.end(), [&](const auto& k) { return k.first == name; });
+      const bool listed =
+          std::any_of(keys.begin(), keys.end(), [&key = name](const auto& k) { return k.first == key; });
       if (name == "name" || listed) continue;
       keys.emplace_back(name, material_key(name, text_of(material, "law")).value_or(case_file::Key{}));
     }
