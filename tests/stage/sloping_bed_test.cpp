@@ -4,22 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
-#include "polder/case/reader.hpp"
+#include "case_text.hpp"
 #include "polder/stage/simulation.hpp"
 
 namespace polder {
 namespace {
-
-Model read_text(const std::string& text) {
-  const std::string path =
-      testing::TempDir() + "/" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".toml";
-  std::ofstream(path) << text;
-  const ReadResult result = read_case(path);
-  EXPECT_TRUE(result.ok()) << format(result.diagnostics);
-  return result.model;
-}
 
 struct Still {
   double speed = 0;     // m/s, fastest water point at the end

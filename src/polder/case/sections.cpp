@@ -107,6 +107,22 @@ Fields read_material_section(const Value& table, const std::string& path, const 
   return read_fields(table, keys, path, diagnostics, ignored);
 }
 
+void need(const Fields& fields, std::string_view key, Diagnostics& diagnostics) {
+  if (!fields.is_given(key))
+    report(diagnostics, fields.place, fields.path_of(key), "missing", fmt::format("give {} its {}", fields.path, key));
+}
+
+std::string material_named(const Fields& fields, const Model& model, Diagnostics& diagnostics) {
+  need(fields, "material", diagnostics);
+  const std::string name = fields.text("material");
+  const bool known = std::any_of(model.materials.begin(), model.materials.end(),
+                                 [&](const MaterialInput& m) { return m.name == name; });
+  if (!known && !name.empty())
+    report(diagnostics, fields.place_of("material"), fields.path_of("material"),
+           fmt::format("there is no material \"{}\"", name), "name one of the [[material]] sections");
+  return name;
+}
+
 Sections read_sections(const Value& document, Diagnostics& diagnostics) {
   Sections sections;
   refuse_unknown_sections(document, diagnostics);

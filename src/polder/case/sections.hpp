@@ -1,6 +1,8 @@
 #pragma once
 // A case file's sections, read key by key: the step between the document and the model. Lists run parallel to the
 // model's.
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "polder/case/fields.hpp"
@@ -25,6 +27,12 @@ std::string path_of_entry(const Section& section, const Value& table, std::size_
 /// changes the law of its base, what the base says to its own law falls away.
 Fields read_material_section(const Value& table, const std::string& path, const LawDescription*& law,
                              Diagnostics& diagnostics);
+
+/// Reports a key that a section cannot do without.
+void need(const Fields& fields, std::string_view key, Diagnostics& diagnostics);
+
+/// What the section says under `material`, reported where it is missing or no [[material]] has the name.
+std::string material_named(const Fields& fields, const Model& model, Diagnostics& diagnostics);
 
 Sections read_sections(const Value& document, Diagnostics& diagnostics);
 

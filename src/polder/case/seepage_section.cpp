@@ -7,20 +7,9 @@
 namespace polder::case_file {
 namespace {
 
-void need(const Fields& f, std::string_view key, Diagnostics& diagnostics) {
-  if (!f.is_given(key))
-    report(diagnostics, f.place, f.path_of(key), "missing", fmt::format("give {} its {}", f.path, key));
-}
-
 MaterialRetention read_retention(const Fields& f, const Model& model, Diagnostics& diagnostics) {
   MaterialRetention out;
-  need(f, "material", diagnostics);
-  out.material = f.text("material");
-  const bool known = std::any_of(model.materials.begin(), model.materials.end(),
-                                 [&](const MaterialInput& m) { return m.name == out.material; });
-  if (!known && !out.material.empty())
-    report(diagnostics, f.place_of("material"), f.path_of("material"),
-           fmt::format("there is no material \"{}\"", out.material), "name one of the [[material]] sections");
+  out.material = material_named(f, model, diagnostics);
   const double unit_weight = model.water.density * model.gravity;
   const double residual = f.number("residual"), maximum = f.number("maximum", 1);
   if (residual >= maximum)

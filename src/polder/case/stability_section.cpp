@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace polder::case_file {
 namespace {
 
@@ -25,20 +23,9 @@ std::optional<Range> range_of(const Fields& f, std::string_view key, Diagnostics
   return std::nullopt;
 }
 
-void need(const Fields& f, std::string_view key, Diagnostics& diagnostics) {
-  if (!f.is_given(key))
-    report(diagnostics, f.place, f.path_of(key), "missing", fmt::format("give {} its {}", f.path, key));
-}
-
 MaterialStrength read_strength(const Fields& f, const Model& model, Diagnostics& diagnostics) {
   MaterialStrength out;
-  need(f, "material", diagnostics);
-  out.material = f.text("material");
-  const bool known = std::any_of(model.materials.begin(), model.materials.end(),
-                                 [&](const MaterialInput& m) { return m.name == out.material; });
-  if (!known && !out.material.empty())
-    report(diagnostics, f.place_of("material"), f.path_of("material"),
-           fmt::format("there is no material \"{}\"", out.material), "name one of the [[material]] sections");
+  out.material = material_named(f, model, diagnostics);
   const std::string where = f.text("where");
   out.above = where != "below", out.below = where != "above";
   const std::string model_name = f.text("model");
