@@ -63,6 +63,54 @@ TEST(WaterPoints, SplitKeepsVolumeMomentumAndCentre) {
   expect_same(before, totals(water));
 }
 
+TEST(WaterPoints, LongBoxesInFreeWaterAreCutInTwoAlongTheirLongEdge) {
+  const Lattice<PlaneStrain> lattice({10, 10, 1}, {0.2, 0.1, 1});
+  const Array porosity(static_cast<std::size_t>(lattice.size), 1.0);
+  WaterPoints<PlaneStrain> water;
+  append_points(water, 1);
+  water.volume[0] = 0.25 * lattice.cell_volume();  // half a cell wide and high, before
+  water.position[0][0] = 1, water.position[1][0] = 0.5;
+  water.elongation[0][0] = 1, water.elongation[1][0] = -0.5;
+  ResampleRules rules;
+  rules.nominal = water.volume[0];
+  std::uint64_t next = 1;
+  EXPECT_EQ(split_water(lattice, porosity, rules, 10, next, water), 0u);
+  rules.split_edge = 0.95;
+  ASSERT_EQ(split_water(lattice, porosity, rules, 10, next, water), 1u);
+  for (const std::size_t p : {0u, 1u}) {  // two boxes, half a cell wide, that cover the one of before
+    EXPECT_DOUBLE_EQ(water.volume[p], 0.125 * lattice.cell_volume());
+    const double edge = std::sqrt(0.125);  // cells
+    EXPECT_NEAR(edge * (1 + water.elongation[0][p]), 0.5, 1e-15);
+    EXPECT_NEAR(edge * (1 + water.elongation[1][p]), 0.25, 1e-15);
+    EXPECT_NEAR(water.position[0][p], p == 0 ? 1.05 : 0.95, 1e-15);
+    EXPECT_DOUBLE_EQ(water.position[1][p], 0.5);
+  }
+  rules.least = 1;
+  rules.split_edge = 0.1;
+  EXPECT_EQ(split_water(lattice, porosity, rules, 20, next, water), 0u);
+}
+
+TEST(WaterPoints, MergedBoxesTakeTheShapeOfBoth) {
+  const Lattice<PlaneStrain> lattice({10, 10, 1}, {0.1, 0.1, 1});
+  const Array porosity(static_cast<std::size_t>(lattice.size), 1.0);
+  WaterPoints<PlaneStrain> water;
+  append_points(water, 2);
+  for (const std::size_t p : {0u, 1u}) {  // one on top of the other, 0.4 cells wide and 0.1 high
+    water.volume[p] = 0.04 * lattice.cell_volume();
+    water.position[0][p] = 0.55;
+    water.position[1][p] = 0.54 + 0.01 * static_cast<double>(p);
+    water.elongation[0][p] = 1, water.elongation[1][p] = -0.5;
+  }
+  ResampleRules rules;
+  rules.nominal = 0.25 * lattice.cell_volume();
+  rules.points_per_cell = 0;
+  rules.split_edge = 0.95;
+  ASSERT_EQ(merge_water(lattice, porosity, rules, water), 1u);
+  EXPECT_DOUBLE_EQ(water.volume[0], 0.08 * lattice.cell_volume());
+  EXPECT_NEAR(std::sqrt(0.08) * (1 + water.elongation[0][0]), 0.4, 1e-12);
+  EXPECT_NEAR(std::sqrt(0.08) * (1 + water.elongation[1][0]), 0.2, 1e-12);
+}
+
 TEST(WaterPoints, MergeThinsACrowdAndKeepsVolumeMomentumAndCentre) {
   const Lattice<PlaneStrain> lattice({10, 10, 1}, {0.1, 0.1, 1});
   Array porosity(static_cast<std::size_t>(lattice.size), 1.0);

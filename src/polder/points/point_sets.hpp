@@ -26,6 +26,7 @@ struct WaterPoints {
   std::array<Array, axes> velocity;       ///< m/s
   std::array<Array, axes * axes> affine;  ///< 1/s, APIC matrix B·D⁻¹, row = component
   Array volume;                           ///< m³ (per metre in plane strain), true volume of water
+  std::array<Array, axes> elongation;     ///< edge of the point's box over that of one shaped as a cell, minus 1
   AlignedVector<std::uint64_t> id;
   AlignedVector<std::int32_t> home;
 
@@ -37,6 +38,7 @@ struct WaterPoints {
     detail::each_of("velocity", velocity, body);
     detail::each_of("affine", affine, body);
     body("volume", 0, volume);
+    detail::each_of("elongation", elongation, body);
     body("id", 0, id);
     body("home", 0, home);
   }

@@ -27,6 +27,34 @@ double bulk_volume(const Lattice<Space>& lattice, const Array& cell_porosity, co
   return water.volume[p] / cell_porosity[lattice.index(cell[0], cell[1], cell[2])];
 }
 
+/// Edges of a point's box in free water, in spacings.
+template <class Space>
+std::array<double, 3> edges_of(const Lattice<Space>& lattice, const WaterPoints<Space>& water, std::size_t p) {
+  const double share = water.volume[p] / lattice.cell_volume();
+  const double edge = Space::axes == 2 ? std::sqrt(share) : std::cbrt(share);
+  std::array<double, 3> edges{0, 0, 0};
+  for (int a = 0; a < Space::axes; ++a) edges[a] = edge * (1 + water.elongation[a][p]);
+  return edges;
+}
+
+template <class Space>
+bool in_free_water(const Lattice<Space>& lattice, const Array& cell_porosity, const WaterPoints<Space>& water,
+                   std::size_t p) {
+  const auto cell = cell_of(lattice, position_of(water, p));
+  return cell_porosity[lattice.index(cell[0], cell[1], cell[2])] >= 1;
+}
+
+/// The longest axis of its box if the point is in free water and stretched over `split_edge`, else −1.
+template <class Space>
+int overlong_axis(const Lattice<Space>& lattice, const Array& cell_porosity, const ResampleRules& rules,
+                  const WaterPoints<Space>& water, std::size_t p) {
+  if (rules.split_edge <= 0 || water.volume[p] < rules.least * rules.nominal) return -1;
+  if (!in_free_water(lattice, cell_porosity, water, p)) return -1;
+  const auto edges = edges_of(lattice, water, p);
+  const auto longest = std::max_element(edges.begin(), edges.begin() + Space::axes);
+  return *longest > rules.split_edge ? static_cast<int>(longest - edges.begin()) : -1;
+}
+
 template <class Space>
 std::array<double, 3> direction_of(const WaterPoints<Space>& water, std::size_t p, std::uint64_t seed,
                                    std::uint64_t step) {
@@ -52,14 +80,30 @@ template <class Space>
 std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosity, const ResampleRules& rules,
                         std::uint64_t step, std::uint64_t& next_id, WaterPoints<Space>& water,
                         const ThinWalls<Space>& walls, const Bodies<Space>& bodies) {
-  std::vector<std::size_t> stretched;
-  for (std::size_t p = 0; p < water.size(); ++p)
-    if (bulk_volume(lattice, cell_porosity, water, p) >= rules.split_at * rules.nominal) stretched.push_back(p);
+  struct Split {
+    std::size_t point;
+    int axis;  // along which its box is too long; −1: its bulk volume is too large
+  };
+  std::vector<Split> stretched;
+  for (std::size_t p = 0; p < water.size(); ++p) {
+    const int axis = overlong_axis(lattice, cell_porosity, rules, water, p);
+    if (axis >= 0 || bulk_volume(lattice, cell_porosity, water, p) >= rules.split_at * rules.nominal)
+      stretched.push_back({p, axis});
+  }
   std::size_t half = append_points(water, stretched.size());
-  for (const std::size_t p : stretched) {
-    const double bulk = bulk_volume(lattice, cell_porosity, water, p);
-    const double edge = Space::axes == 2 ? std::sqrt(bulk) : std::cbrt(bulk);
-    const auto e = direction_of(water, p, rules.seed, step);
+  for (const auto& [p, axis] : stretched) {
+    std::array<double, 3> shift{0, 0, 0};  // m, of the halves
+    if (axis >= 0) {
+      shift[axis] = 0.25 * edges_of(lattice, water, p)[axis] * lattice.spacing[axis];
+      const double wider = Space::axes == 2 ? std::numbers::sqrt2 : std::cbrt(2.0);
+      for (int a = 0; a < Space::axes; ++a)
+        water.elongation[a][p] = (1 + water.elongation[a][p]) * (a == axis ? 0.5 : 1) * wider - 1;
+    } else {
+      const double bulk = bulk_volume(lattice, cell_porosity, water, p);
+      const double edge = Space::axes == 2 ? std::sqrt(bulk) : std::cbrt(bulk);
+      shift = direction_of(water, p, rules.seed, step);
+      for (double& component : shift) component *= split_distance * edge;
+    }
     water.volume[p] *= 0.5;
     water.each_array([&](const char*, int, auto& array) { array[half] = array[p]; });
     water.id[half] = next_id++;
@@ -68,7 +112,7 @@ std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosit
       std::array<double, 3> to{0, 0, 0};
       for (int a = 0; a < Space::axes; ++a) {
         const double gap = wall_gap * lattice.spacing[a];
-        to[a] = std::clamp(from[a] + sign * (split_distance * edge * e[a]), gap, lattice.length(a) - gap);
+        to[a] = std::clamp(from[a] + sign * shift[a], gap, lattice.length(a) - gap);
       }
       if (bodies.any()) bodies.push_out(to);
       if (walls.any()) stop_at_walls(lattice, walls, from, to);
@@ -78,6 +122,27 @@ std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosit
   }
   return stretched.size();
 }
+
+namespace {
+
+/// Gives `keep` the shape of a box with the second moments of both boxes together.
+template <class Space>
+void merge_boxes(const Lattice<Space>& lattice, std::size_t keep, std::size_t lose, double share,
+                 WaterPoints<Space>& water) {
+  const auto one = edges_of(lattice, water, keep), other = edges_of(lattice, water, lose);
+  std::array<double, 3> edge{1, 1, 1};
+  double product = 1;
+  for (int a = 0; a < Space::axes; ++a) {
+    const double apart = (water.position[a][keep] - water.position[a][lose]) / lattice.spacing[a];
+    edge[a] = std::sqrt((1 - share) * one[a] * one[a] + share * other[a] * other[a] +
+                        12 * share * (1 - share) * apart * apart);
+    product *= edge[a];
+  }
+  const double mean = Space::axes == 2 ? std::sqrt(product) : std::cbrt(product);
+  for (int a = 0; a < Space::axes; ++a) water.elongation[a][keep] = edge[a] / mean - 1;
+}
+
+}  // namespace
 
 template <class Space>
 std::size_t merge_water(const Lattice<Space>& lattice, const Array& cell_porosity, const ResampleRules& rules,
@@ -107,6 +172,8 @@ std::size_t merge_water(const Lattice<Space>& lattice, const Array& cell_porosit
         }
       const std::size_t keep = small[a], lose = small[b];
       const double total = water.volume[keep] + water.volume[lose], share = water.volume[lose] / total;
+      if (rules.split_edge > 0 && in_free_water(lattice, cell_porosity, water, keep))
+        merge_boxes(lattice, keep, lose, share, water);
       const auto blend = [&](auto& arrays) {
         for (auto& array : arrays) array[keep] += share * (array[lose] - array[keep]);
       };

@@ -96,18 +96,21 @@ template <int c, class Space, class Body>
 }
 
 /// Share of a point's content that falls in each of the 2^axes cells that its own box overlaps. The box has `half`
-/// spacings on either side (at most half a cell) and is pushed inside [low, high) cells.
+/// spacings on either side (per axis, at most half a cell) and is pushed inside [low, high) cells.
 template <class Space>
 struct BoxOverlap {
   std::ptrdiff_t base = 0;
   double share[3][2];
 
   BoxOverlap(const Lattice<Space>& lattice, const std::array<double, 3>& position, double half,
+             const std::array<int, 3>& low, const std::array<int, 3>& high)
+      : BoxOverlap(lattice, position, std::array{half, half, half}, low, high) {}
+
+  BoxOverlap(const Lattice<Space>& lattice, const std::array<double, 3>& position, const std::array<double, 3>& halves,
              const std::array<int, 3>& low, const std::array<int, 3>& high) {
-    half = std::min(0.5, half);
-    const double inverse = 1 / (2 * half);
     int first[3] = {0, 0, 0};
     for (int a = 0; a < Space::axes; ++a) {
+      const double half = std::min(0.5, halves[a]), inverse = 1 / (2 * half);
       const double x = std::min(std::max(position[a] / lattice.spacing[a], low[a] + half), high[a] - half);
       const int cell = std::max(low[a], static_cast<int>(x - half));
       first[a] = cell;

@@ -40,6 +40,35 @@ void take_motion(const Lattice<Space>& lattice, const Gathered<Space>& gathered,
   }
 }
 
+/// The shift of the water as the correction balances it, linear within each cell: a spline would halve what alternates
+/// from cell to cell.
+template <int c, class Space>
+void shift_in_cells(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int count, const Array& shift,
+                    double* displacement) {
+  for (int l = 0; l < count; ++l) {
+    const std::ptrdiff_t face = cell_index(lattice, chunk, l);
+    const double share = 0.5 + chunk.delta[c][0][l];
+    displacement[l] = (1 - share) * shift[face] + share * shift[face + lattice.stride[c]];
+  }
+}
+
+/// The boxes of points in free water stretch along the axes with the flow, at constant volume. In soil, whose pores mix
+/// the water, a box is shaped as a cell.
+template <class Space>
+void stretch_boxes(double dt, const double* porosity, std::size_t first, int count, WaterPoints<Space>& water) {
+  constexpr int axes = Space::axes;
+  for (int l = 0; l < count; ++l) {
+    const std::size_t p = first + static_cast<std::size_t>(l);
+    double edge[axes], product = 1;
+    for (int a = 0; a < axes; ++a) {
+      edge[a] = (1 + water.elongation[a][p]) * std::max(0.5, 1 + dt * water.affine[a * axes + a][p]);
+      product *= edge[a];
+    }
+    const double scale = axes == 2 ? 1 / std::sqrt(product) : 1 / std::cbrt(product);
+    for (int a = 0; a < axes; ++a) water.elongation[a][p] = porosity[l] < 1 ? 0 : edge[a] * scale - 1;
+  }
+}
+
 /// Moves points by `displacement` on axis a, held inside the phase's box.
 inline void move(double* x, const double* displacement, int count, double low, double high) {
   for (int l = 0; l < count; ++l) x[l] = std::min(std::max(x[l] + displacement[l], low), high);
@@ -141,6 +170,7 @@ template <class Space>
 Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, const Tiling<Space>& tiling,
                      WaterPoints<Space>& water, Team& team) {
   const auto& lattice = setup.lattice;
+  const bool stretched = setup.stretches_water();
   return over_tiles(tiling, team, [&](TileRange tile) {
     Motion motion;
     ChunkWeights<Space> chunk;
@@ -160,7 +190,10 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
       over_components<Space>([&]<int c>() {
         gather<c, false>(setup, chunk, walled, count, grid.water_velocity[c], gathered);
         take_motion<c>(lattice, gathered, first, count, water);
-        gather<c>(setup, chunk, walled, count, grid.shift[c], displacement[c]);
+        if (stretched)
+          shift_in_cells<c>(lattice, chunk, count, grid.shift[c], displacement[c]);
+        else
+          gather<c>(setup, chunk, walled, count, grid.shift[c], displacement[c]);
         if (in_soil) {
           gather<c>(setup, chunk, walled, count, grid.discharge[c], discharge);
           gather<c>(setup, chunk, walled, count, grid.soil_velocity[c], gathered.value);
@@ -173,6 +206,7 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
           motion.drift = std::max(motion.drift, std::abs(displacement[c][l]) * inverse);
         }
       });
+      if (stretched) stretch_boxes(dt, porosity, first, count, water);
       move_chunk(setup, setup.water_box, walled, bodied, first, count, displacement, water);
     }
     return motion;

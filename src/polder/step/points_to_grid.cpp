@@ -123,6 +123,16 @@ void over_chunks(const Tiling<Space>& tiling, Team& team, Body&& body) {
     });
 }
 
+constexpr double thinnest_half = 0.02;  // spacings, of a flattened box
+
+/// Half the edges, in spacings, of a water point's box that would have `half` if it were shaped as a cell.
+template <class Space>
+std::array<double, 3> elongated(const WaterPoints<Space>& water, std::size_t p, double half) {
+  std::array<double, 3> halves{half, half, half};
+  for (int a = 0; a < Space::axes; ++a) halves[a] = std::max(thinnest_half, half * (1 + water.elongation[a][p]));
+  return halves;
+}
+
 /// Water in the pores of the soil that the soil points carry: mass to the faces, volume to the cells.
 template <class Space>
 void carried_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
@@ -275,7 +285,8 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
         over_seen_cells(setup.walls, lattice, x, cell_places(chunk, l), half, setup.water_box.low, setup.water_box.high,
                         add);
       else
-        BoxOverlap<Space>(lattice, x, half, setup.water_box.low, setup.water_box.high).over_cells(lattice, add);
+        BoxOverlap<Space>(lattice, x, elongated(water, p, half), setup.water_box.low, setup.water_box.high)
+            .over_cells(lattice, add);
     }
     over_components<Space>([&]<int c>() {
       if (walled)

@@ -1,5 +1,6 @@
 #pragma once
 // What does not change during a run (or changes only from stage to stage): grid, walls, materials, water, choices.
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -45,6 +46,11 @@ struct Setup {
 
   /// Whether nothing crosses this face, for a thin wall or a body that covers it.
   bool shut(int axis, std::ptrdiff_t face) const { return walls.blocked(axis, face) || bodies.closed(axis, face); }
+
+  /// Whether boxes of points in free water stretch with the flow (docs/theory.md, "Step 8"): where no soil moves.
+  bool stretches_water() const {
+    return std::all_of(materials.begin(), materials.end(), [](const SoilMaterial& m) { return m.fixed; });
+  }
 
   /// The open side at this end of an axis, or nullptr.
   const OpenSide* open_side(int axis, int end) const {

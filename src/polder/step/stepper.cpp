@@ -84,6 +84,7 @@ void Stepper<Space>::resample() {
   ResampleRules rules;
   rules.nominal = setup.nominal_point_volume();
   rules.points_per_cell = static_cast<int>(std::lround(std::pow(setup.points_per_axis, Space::axes)));
+  if (setup.stretches_water()) rules.split_edge = 1.9 / setup.points_per_axis;
   rules.seed = setup.numerics.seed;
   const std::size_t split =
       split_water(setup.lattice, grid.cell_porosity, rules, step, next_water_id, water, setup.walls, setup.bodies);
@@ -146,7 +147,7 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
       exchanged.push_back(exchange);
   if (!exchanged.empty()) sort_water();
   ++step;
-  if (setup.numerics.split_water && soil.size() > 0 && step % resample_every == 0) resample();
+  if (setup.numerics.split_water && step % resample_every == 0) resample();
   watch.lap(times.resample);
   return report;
 }
