@@ -13,6 +13,7 @@ namespace polder {
 namespace {
 
 constexpr double porosity_relaxation = 0.02;  // per step, of a fluid point's porosity towards the grid's
+constexpr double porosity_mixing = 4;         // of a group's porosities, per unit of deviatoric strain
 
 /// Runs body(tile) over all tiles and gathers the motion they report.
 template <class Space, class Body>
@@ -154,6 +155,28 @@ double grid_porosity(const Setup<Space>& setup, const GridFields<Space>& grid, c
   return n;
 }
 
+/// Mixes the porosity of the points [first, last) of one group as they are sheared: the bulk volume that goes with a
+/// mass of grains approaches the group's mean by 1 − e^(−mixing Δε_d), Δε_d being the mean deviatoric strain of this
+/// step. Differences between points of one cell are below what the grid resolves, and nothing else ends their growth.
+/// Volume and mass of the group stay what they are; a group of several materials is left alone.
+template <class Space>
+void mix_porosity(const double* strain_before, std::size_t first, std::size_t last, SoilPoints<Space>& soil) {
+  double mass = 0, volume = 0, sheared = 0;
+  for (std::size_t p = first; p < last; ++p) {
+    if (soil.material[p] != soil.material[first]) return;
+    const double v = soil.mass[p] / (1 - soil.porosity[p]);
+    mass += soil.mass[p];
+    volume += v;
+    sheared += v * (soil.deviatoric_strain[p] - strain_before[p - first]);
+  }
+  const double share = 1 - std::exp(-porosity_mixing * sheared / volume);
+  const double mean = volume / mass;
+  for (std::size_t p = first; p < last; ++p) {
+    const double own = 1 / (1 - soil.porosity[p]);
+    soil.porosity[p] = 1 - 1 / (own + share * (mean - own));
+  }
+}
+
 /// Number of points from `first` that make up whole groups and fit a chunk; a group too large for one is cut.
 template <class Space>
 int whole_groups(const SoilPoints<Space>& soil, std::size_t first, std::size_t end) {
@@ -261,7 +284,13 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
         const double mean = change / volume;
         for (; l < last; ++l) dilation[l] = (1 - fbar) * dilation[l] + fbar * mean;
       }
+      double strain_before[chunk_size];
+      std::copy_n(soil.deviatoric_strain.data() + first, count, strain_before);
       update_soil(setup, dt, first, count, gradients, dilation, soil);
+      for (int l = 0, last = 0; l < count; l = last) {
+        while (last < count && soil.home[first + last] == soil.home[first + l]) ++last;
+        mix_porosity(strain_before + l, first + l, first + last, soil);
+      }
       for (int l = 0; l < count; ++l) {
         const std::size_t p = first + l;
         if (!soil.fluid[p] || !grid.wet[cell[l]]) continue;
