@@ -5,8 +5,10 @@
 // place in its cell b, the nearest face is b + s with s = 1 for f ≥ 1/2, so its three faces start at b − 1 + s; its
 // three centres start at b − 1. With δ in [−1/2, 1/2] the distance from the middle node (in spacings), both sets have
 //     w = (1/8, 3/4, 1/8) + δ(−1/2, 0, 1/2) + δ²(1/2, −1, 1/2),      dw/dδ = (−1/2, 0, 1/2) + δ(1, −2, 1).
-// Component c of a vector uses the face set on axis c and the centre set on the others; rows along x are taken as four
-// values at once, the fourth with weight zero.
+// Component c of a vector uses the face set on axis c and the centre set on the others. Rows along x are taken as four
+// values at once, from b − 1 on: the centres leave the fourth with weight zero, the faces the fourth or, for s = 1, the
+// first. So all points of a cell read and write the same four values, and a processor that has just stored them can
+// hand them on.
 #include "polder/math/simd.hpp"
 
 namespace polder {
@@ -17,14 +19,32 @@ struct SplineRow {
   Vec4 derivative;  ///< dw/dx_p, per spacing
 };
 
-inline SplineRow spline_row(double delta) {
+namespace detail {
+
+inline SplineRow spline_row(double delta, Vec4 value, Vec4 slope, Vec4 curvature, Vec4 node) {
   const Vec4 d = splat4(delta);
-  constexpr Vec4 value0{0.125, 0.75, 0.125, 0}, slope0{-0.5, 0, 0.5, 0}, curvature{0.5, -1, 0.5, 0}, node{-1, 0, 1, 0};
   SplineRow row;
-  row.weight = value0 + d * (slope0 + d * curvature);
-  row.derivative = slope0 + (d + d) * curvature;
+  row.weight = value + d * (slope + d * curvature);
+  row.derivative = slope + (d + d) * curvature;
   row.offset = row.weight * (node - d);
   return row;
+}
+
+}  // namespace detail
+
+/// The row of the three centres.
+inline SplineRow centre_row(double delta) {
+  return detail::spline_row(delta, Vec4{0.125, 0.75, 0.125, 0}, Vec4{-0.5, 0, 0.5, 0}, Vec4{0.5, -1, 0.5, 0},
+                            Vec4{-1, 0, 1, 0});
+}
+
+/// The row of the three faces; `upper` is s.
+inline SplineRow face_row(double delta, int upper) {
+  static constexpr Vec4 value[2] = {{0.125, 0.75, 0.125, 0}, {0, 0.125, 0.75, 0.125}};
+  static constexpr Vec4 slope[2] = {{-0.5, 0, 0.5, 0}, {0, -0.5, 0, 0.5}};
+  static constexpr Vec4 curvature[2] = {{0.5, -1, 0.5, 0}, {0, 0.5, -1, 0.5}};
+  static constexpr Vec4 node[2] = {{-1, 0, 1, 0}, {0, -1, 0, 1}};
+  return detail::spline_row(delta, value[upper], slope[upper], curvature[upper], node[upper]);
 }
 
 /// The same three numbers without the padding, for axes other than x.

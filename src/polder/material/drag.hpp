@@ -52,6 +52,9 @@ struct Drag {
   double exponent = 0;     ///< m
   double at_start = 0;     ///< Pa s/m², the linear part at n₀
   double solid_start = 1;  ///< 1 − n₀
+
+  /// Whether packed_resistance() says it all.
+  bool packed() const { return !power && (law == DragLaw::ergun || law == DragLaw::darcy); }
 };
 
 /// μ/κ(n), Pa s/m²: what resists slow flow in packed soil.
@@ -66,6 +69,17 @@ inline double linear_resistance(const Drag& drag, double n) {
 
 /// ρ_w B/√(A n³κ), kg/m⁴: β = n²(linear + quadratic |q|) for Ergun; 0 for Darcy.
 inline double quadratic_resistance(const Drag& drag, double n) { return drag.inertial * (1 - n) / (n * n * n); }
+
+struct PackedResistance {
+  double linear;     ///< Pa s/m²
+  double quadratic;  ///< kg/m⁴
+};
+
+/// linear_resistance() and quadratic_resistance() of a drag that is packed(), with one division.
+inline PackedResistance packed_resistance(const Drag& drag, double n) {
+  const double c = (1 - n) / (n * n * n);
+  return {drag.viscous * (1 - n) * c, drag.inertial * c};
+}
 
 namespace drag_detail {
 

@@ -22,7 +22,7 @@ struct alignas(64) ChunkWeights {
   double offset[axes][2][3][chunk_size];      // weight × (node − point), spacings
   double derivative[axes][2][3][chunk_size];  // per spacing
   int cell_base[chunk_size];                  // index of the stencil's first cell centre
-  int face_shift[axes][chunk_size];           // further steps to the first face
+  int face_shift[axes][chunk_size];           // further steps to the first of the three faces
   int cell[axes][chunk_size];                 // the point's cell
 
   void compute(const Lattice<Space>& lattice, const std::array<const double*, axes>& position, int count) {
@@ -69,10 +69,22 @@ inline std::array<int, 3> cell_places(const ChunkWeights<Space>& chunk, int l) {
   return {chunk.cell[0][l], chunk.cell[1][l], Space::axes == 3 ? chunk.cell[Space::axes - 1][l] : 0};
 }
 
-/// Index of the first node of point l's stencil for component c.
+/// Index of the first node of point l's stencil for component c; its rows along x have four nodes.
 template <int c, class Space>
 inline std::ptrdiff_t stencil_base(const ChunkWeights<Space>& chunk, int l) {
-  return chunk.cell_base[l] + chunk.face_shift[c][l];
+  if constexpr (c == 0)
+    return chunk.cell_base[l];
+  else
+    return chunk.cell_base[l] + chunk.face_shift[c][l];
+}
+
+/// Point l's weights along x for component c.
+template <int c, class Space>
+inline SplineRow x_row(const ChunkWeights<Space>& chunk, int l) {
+  if constexpr (c == 0)
+    return face_row(chunk.delta[0][1][l], chunk.face_shift[0][l]);
+  else
+    return centre_row(chunk.delta[0][0][l]);
 }
 
 /// Visits the rows of point l's stencil of component c: body(position of the row relative to the base, and the weights,
@@ -131,6 +143,52 @@ struct BoxOverlap {
         for (int j = 0; j < 2; ++j)
           for (int i = 0; i < 2; ++i)
             body(base + i + j * lattice.stride[1] + k * lattice.stride[2], share[0][i] * share[1][j] * share[2][k]);
+    }
+  }
+};
+
+/// The same shares for a chunk of points, whose boxes need not be equal.
+template <class Space>
+struct alignas(64) ChunkOverlap {
+  static constexpr int axes = Space::axes;
+  double share[axes][chunk_size];  // of the lower of the two cells
+  int base[chunk_size];
+
+  void compute(const Lattice<Space>& lattice, const std::array<const double*, axes>& position,
+               const std::array<const double*, axes>& half_edges, int count, const std::array<int, 3>& low,
+               const std::array<int, 3>& high) {
+    for (int l = 0; l < count; ++l) base[l] = static_cast<int>(lattice.index(0, 0, 0));
+    for (int a = 0; a < axes; ++a) {
+      const double inverse = 1 / lattice.spacing[a], from = low[a], to = high[a];
+      const int step = static_cast<int>(lattice.stride[a]), lowest = low[a];
+      const double *x = position[a], *edge = half_edges[a];
+      double* of_lower = share[a];
+      for (int l = 0; l < count; ++l) {
+        const double half = std::min(0.5, edge[l]);
+        const double begin = std::min(std::max(x[l] * inverse, from + half), to - half) - half;
+        const int cell = std::max(lowest, static_cast<int>(begin));
+        of_lower[l] = std::min(1.0, std::max(0.0, (cell + 1 - begin) * (0.5 / half)));
+        base[l] += cell * step;
+      }
+    }
+  }
+
+  /// body(cell index, share) for point l
+  template <class Body>
+  [[gnu::always_inline]] void over_cells(const Lattice<Space>& lattice, int l, Body&& body) const {
+    const double x = share[0][l], y = share[1][l];
+    const auto plane = [&](std::ptrdiff_t at, double z) {
+      body(at, x * y * z);
+      body(at + 1, (1 - x) * y * z);
+      body(at + lattice.stride[1], x * (1 - y) * z);
+      body(at + lattice.stride[1] + 1, (1 - x) * (1 - y) * z);
+    };
+    if constexpr (axes == 2) {
+      plane(base[l], 1);
+    } else {
+      const double z = share[axes - 1][l];
+      plane(base[l], z);
+      plane(base[l] + lattice.stride[2], 1 - z);
     }
   }
 };

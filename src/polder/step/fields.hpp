@@ -27,6 +27,7 @@ struct GridFields {
         water_response(make_face_field(lattice)),
         mobility(make_face_field(lattice)),
         shift(make_face_field(lattice)),
+        soil_sums(static_cast<std::size_t>(4 * lattice.size), 0.0),
         solid_volume(lattice.make_array()),
         saturated_solid(lattice.make_array()),
         soil_cell_mass(lattice.make_array()),
@@ -69,6 +70,7 @@ struct GridFields {
   std::array<AlignedVector<std::uint8_t>, Space::axes> reached;  ///< 1: a wet cell beside the face
 
   // in cells
+  Array soil_sums;                      ///< the next and the horizontal drag side by side while points write, 4 a cell
   Array solid_volume;                   ///< m³, by overlap of the points' boxes
   Array saturated_solid;                ///< m³, grains of the soil points that carry water (single-point)
   Array soil_cell_mass;                 ///< kg, likewise

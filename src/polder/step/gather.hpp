@@ -30,7 +30,7 @@ void gather_component(const Lattice<Space>& lattice, const ChunkWeights<Space>& 
                      if constexpr (with_gradient) slope_z += (wy * dz) * row;
                    }
                  });
-    const SplineRow x = spline_row(chunk.delta[0][c == 0][l]);
+    const SplineRow x = x_row<c>(chunk, l);
     const Vec4 first =
         sum_lanes(sum * x.weight, sum * x.offset, offset_y * x.weight, with_gradient ? sum * x.derivative : Vec4{});
     out.value[l] = first[0];
@@ -62,7 +62,7 @@ void gather_value(const Lattice<Space>& lattice, const ChunkWeights<Space>& chun
     over_rows<c>(chunk, lattice, l, [&](std::ptrdiff_t at, double wy, double, double, double wz, double, double) {
       sum += (wy * wz) * load4(base + at);
     });
-    value[l] = sum_lanes(sum * spline_row(chunk.delta[0][c == 0][l]).weight);
+    value[l] = sum_lanes(sum * x_row<c>(chunk, l).weight);
   }
 }
 

@@ -11,6 +11,8 @@ namespace polder {
 
 namespace {
 
+constexpr double thinnest_half = 0.02;  // spacings, of a water point's flattened box
+
 /// |q| in a cell, from the faces below and above it.
 template <class Space>
 double flux_in_cell(const GridFields<Space>& grid, const Lattice<Space>& lattice, std::ptrdiff_t cell) {
@@ -33,7 +35,7 @@ void scatter_component(const Lattice<Space>& lattice, const Points& points, cons
     for (int a = 0; a < axes; ++a) stress[a] = points.stress[stress_index<Space>(c, a)].data() + first;
 
   for (int l = 0; l < count; ++l) {
-    const SplineRow row = spline_row(chunk.delta[0][c == 0][l]);
+    const SplineRow row = x_row<c>(chunk, l);
     const double m = mass[l];
     const Vec4 mass_row = m * row.weight;
     const Vec4 momentum_row = (m * velocity[l]) * row.weight + (m * h[0] * affine[0][l]) * row.offset;
@@ -80,7 +82,7 @@ void press_on(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::siz
   x[up] = std::min(x[up] + half, lattice.length(up) * (1 - 1e-9));
   ChunkWeights<Space> chunk;
   chunk.compute(lattice, at, 1);
-  const Vec4 row = splat4(-force) * spline_row(chunk.delta[0][0][0]).weight;
+  const Vec4 row = splat4(-force) * x_row<up>(chunk, 0).weight;
   const std::ptrdiff_t base = stencil_base<up>(chunk, 0);
   over_rows<up>(chunk, lattice, 0, [&](std::ptrdiff_t offset, double wy, double, double, double wz, double, double) {
     store4(field + base + offset, load4(field + base + offset) + (wy * wz) * row);
@@ -92,7 +94,7 @@ template <int c, class Space>
 void scatter_mass(const Lattice<Space>& lattice, const double* mass, int count, const ChunkWeights<Space>& chunk,
                   double* field) {
   for (int l = 0; l < count; ++l) {
-    const Vec4 row = mass[l] * spline_row(chunk.delta[0][c == 0][l]).weight;
+    const Vec4 row = mass[l] * x_row<c>(chunk, l).weight;
     const std::ptrdiff_t base = stencil_base<c>(chunk, l);
     over_rows<c>(chunk, lattice, l, [&](std::ptrdiff_t offset, double wy, double, double, double wz, double, double) {
       store4(field + base + offset, load4(field + base + offset) + (wy * wz) * row);
@@ -123,14 +125,103 @@ void over_chunks(const Tiling<Space>& tiling, Team& team, Body&& body) {
     });
 }
 
-constexpr double thinnest_half = 0.02;  // spacings, of a flattened box
+/// What a chunk of soil points brings to the cells.
+struct alignas(64) SoilContent {
+  double volume[chunk_size];     // bulk, m³
+  double half_edge[chunk_size];  // of the point's box, spacings
+  double solid[chunk_size], mass[chunk_size], linear[chunk_size], quadratic[chunk_size];
+  double linear_up[chunk_size], quadratic_up[chunk_size];  // drag in the vertical, where it differs
 
-/// Half the edges, in spacings, of a water point's box that would have `half` if it were shaped as a cell.
+  Vec4 horizontal(int l) const { return Vec4{solid[l], mass[l], linear[l], quadratic[l]}; }
+
+  template <class Space>
+  void compute(const Setup<Space>& setup, const GridFields<Space>& grid, const SoilPoints<Space>& soil,
+               std::size_t first, int count, const ChunkWeights<Space>& chunk) {
+    const double cell_volume = setup.lattice.cell_volume();
+    const auto& own = soil.material;
+    const bool one =
+        std::all_of(own.begin() + first, own.begin() + first + count, [&](auto m) { return m == own[first]; });
+    if (one && setup.materials[own[first]].drag[0].packed() && !setup.anisotropic) {
+      const SoilMaterial& material = setup.materials[own[first]];
+      const double inverse = 1 / material.grain_density;
+      const Drag drag = material.drag[0];
+      const double *n = soil.porosity.data() + first, *m = soil.mass.data() + first;
+      for (int l = 0; l < count; ++l) {
+        mass[l] = m[l];
+        solid[l] = m[l] * inverse;
+        volume[l] = solid[l] / (1 - n[l]);
+        const PackedResistance c = packed_resistance(drag, n[l]);
+        linear[l] = volume[l] * c.linear;
+        quadratic[l] = volume[l] * c.quadratic;
+      }
+    } else {
+      for (int l = 0; l < count; ++l) {
+        const std::size_t p = first + l;
+        const SoilMaterial& material = setup.materials[own[p]];
+        const double n = soil.porosity[p];
+        mass[l] = soil.mass[p];
+        solid[l] = mass[l] / material.grain_density;
+        volume[l] = solid[l] / (1 - n);
+        double a[2], b[2];
+        for (int d = 0; d < (setup.anisotropic ? 2 : 1); ++d) {
+          const Drag& drag = material.drag[d];
+          const bool plain = drag.law == DragLaw::ergun || drag.law == DragLaw::darcy;
+          a[d] = volume[l] *
+                 (plain ? linear_resistance(drag, n)
+                        : drag_coefficient(drag, n,
+                                           flux_in_cell(grid, setup.lattice, cell_index(setup.lattice, chunk, l))));
+          b[d] = plain ? volume[l] * quadratic_resistance(drag, n) : 0;
+        }
+        linear[l] = a[0];
+        quadratic[l] = b[0];
+        if (setup.anisotropic) {
+          linear_up[l] = a[1];
+          quadratic_up[l] = b[1];
+        }
+      }
+    }
+    for (int l = 0; l < count; ++l) half_edge[l] = polder::half_edge<Space>(volume[l], cell_volume);
+  }
+};
+
+/// Half the edges of a chunk's boxes, in spacings: as cubes, and along each axis where they are elongated.
 template <class Space>
-std::array<double, 3> elongated(const WaterPoints<Space>& water, std::size_t p, double half) {
-  std::array<double, 3> halves{half, half, half};
-  for (int a = 0; a < Space::axes; ++a) halves[a] = std::max(thinnest_half, half * (1 + water.elongation[a][p]));
-  return halves;
+struct HalfEdges {
+  const double* cube;
+  std::array<const double*, static_cast<std::size_t>(Space::axes)> along;
+};
+
+/// body(point of the chunk, cell index, share) for the cells that the points' boxes overlap. A cell that a body cuts
+/// keeps what is in it; beside thin walls boxes are cubes.
+template <class Space, class Body>
+void over_boxes(const Setup<Space>& setup, const std::array<Array, Space::axes>& position, const PhaseBox& box,
+                std::size_t first, int count, const ChunkWeights<Space>& chunk, bool walled,
+                const HalfEdges<Space>& half_edges, Body&& body) {
+  const auto& lattice = setup.lattice;
+  if (!walled && !setup.bodies.any()) {
+    ChunkOverlap<Space> overlap;
+    overlap.compute(lattice, pointers_at<Space>(position, first), half_edges.along, count, box.low, box.high);
+    for (int l = 0; l < count; ++l)
+      overlap.over_cells(lattice, l, [&](std::ptrdiff_t cell, double share) { body(l, cell, share); });
+    return;
+  }
+  for (int l = 0; l < count; ++l) {
+    const auto add = [&](std::ptrdiff_t cell, double share) { body(l, setup.bodies.open_neighbour(cell), share); };
+    const std::ptrdiff_t own = cell_index(lattice, chunk, l);
+    if (setup.bodies.open_cell(own) < 1) {
+      add(own, 1);
+      continue;
+    }
+    std::array<double, 3> x{0, 0, 0};
+    for (int a = 0; a < Space::axes; ++a) x[a] = position[a][first + static_cast<std::size_t>(l)];
+    if (walled) {
+      over_seen_cells(setup.walls, lattice, x, cell_places(chunk, l), half_edges.cube[l], box.low, box.high, add);
+      continue;
+    }
+    std::array<double, 3> halves{0, 0, 0};
+    for (int a = 0; a < Space::axes; ++a) halves[a] = half_edges.along[a][l];
+    BoxOverlap<Space>(lattice, x, halves, box.low, box.high).over_cells(lattice, add);
+  }
 }
 
 /// Water in the pores of the soil that the soil points carry: mass to the faces, volume to the cells.
@@ -174,9 +265,9 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
   clear_faces<Space>(lattice, grid.rows, setup.soil_box, {&grid.soil_mass, &grid.soil_velocity, &grid.soil_force},
                      team);
   over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
-    for (auto* field : {&grid.solid_volume, &grid.soil_cell_mass, &grid.linear_drag[0], &grid.linear_drag[1],
-                        &grid.quadratic_drag[0], &grid.quadratic_drag[1]})
-      std::fill_n(field->begin() + first, count, 0.0);
+    std::fill_n(grid.soil_sums.begin() + 4 * first, 4 * count, 0.0);
+    for (auto* field : {&grid.linear_drag[1], &grid.quadratic_drag[1]})
+      if (setup.anisotropic) std::fill_n(field->begin() + first, count, 0.0);
   });
   const double cell_volume = lattice.cell_volume();
   std::vector<double> load;  // N on one point
@@ -187,43 +278,20 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
     const bool walled = beside_walls(setup.walls, lattice, chunk, count);
-    double volume[chunk_size];
-    for (int l = 0; l < count; ++l) {
-      const std::size_t p = first + l;
-      const SoilMaterial& material = setup.materials[soil.material[p]];
-      const double solid = soil.mass[p] / material.grain_density, n = soil.porosity[p];
-      volume[l] = solid / (1 - n);
-      const std::ptrdiff_t own = cell_index(lattice, chunk, l);
-      double a[2], b[2];
-      for (int d = 0; d < (setup.anisotropic ? 2 : 1); ++d) {
-        const Drag& drag = material.drag[d];
-        const bool plain = drag.law == DragLaw::ergun || drag.law == DragLaw::darcy;
-        a[d] = volume[l] *
-               (plain ? linear_resistance(drag, n) : drag_coefficient(drag, n, flux_in_cell(grid, lattice, own)));
-        b[d] = plain ? volume[l] * quadratic_resistance(drag, n) : 0;
-      }
-      std::array<double, 3> x{0, 0, 0};
-      for (int d = 0; d < Space::axes; ++d) x[d] = soil.position[d][p];
-      const auto add = [&](std::ptrdiff_t cell, double share) {
-        cell = setup.bodies.open_neighbour(cell);
-        grid.solid_volume[cell] += share * solid;
-        grid.soil_cell_mass[cell] += share * soil.mass[p];
-        grid.linear_drag[0][cell] += share * a[0];
-        grid.quadratic_drag[0][cell] += share * b[0];
-        if (setup.anisotropic) {
-          grid.linear_drag[1][cell] += share * a[1];
-          grid.quadratic_drag[1][cell] += share * b[1];
-        }
-      };
-      const double half = half_edge<Space>(volume[l], cell_volume);
-      if (setup.bodies.open_cell(own) < 1)
-        add(own, 1);  // a cell that a body cuts keeps what is in it
-      else if (walled)
-        over_seen_cells(setup.walls, lattice, x, cell_places(chunk, l), half, setup.soil_box.low, setup.soil_box.high,
-                        add);
-      else
-        BoxOverlap<Space>(lattice, x, half, setup.soil_box.low, setup.soil_box.high).over_cells(lattice, add);
-    }
+    SoilContent content;
+    content.compute(setup, grid, soil, first, count, chunk);
+    HalfEdges<Space> half_edges{content.half_edge, {}};
+    half_edges.along.fill(content.half_edge);
+    over_boxes(setup, soil.position, setup.soil_box, first, count, chunk, walled, half_edges,
+               [&](int l, std::ptrdiff_t cell, double share) {
+                 double* sums = grid.soil_sums.data() + 4 * cell;
+                 store4(sums, load4(sums) + share * content.horizontal(l));
+                 if (setup.anisotropic) {
+                   grid.linear_drag[1][cell] += share * content.linear_up[l];
+                   grid.quadratic_drag[1][cell] += share * content.quadratic_up[l];
+                 }
+               });
+    const double* volume = content.volume;
     over_components<Space>([&]<int c>() {
       if (walled)
         scatter_beside_walls<c, true>(setup.walls, lattice, soil, soil.mass.data() + first, volume, first, count, chunk,
@@ -245,6 +313,11 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
   }
   over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
     for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
+      const double* sums = grid.soil_sums.data() + 4 * cell;
+      grid.solid_volume[cell] = sums[0];
+      grid.soil_cell_mass[cell] = sums[1];
+      grid.linear_drag[0][cell] = sums[2];
+      grid.quadratic_drag[0][cell] = sums[3];
       const double open = setup.bodies.open_cell(cell);
       grid.cell_porosity[cell] = open > 0 ? std::max(0.2, 1 - grid.solid_volume[cell] / (cell_volume * open)) : 1;
     }
@@ -260,34 +333,30 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
     std::fill_n(grid.water_volume.begin() + first, count, 0.0);
   });
   const double cell_volume = lattice.cell_volume(), density = setup.water.density;
+  const bool stretched = setup.stretches_water();
   if (setup.single_point) carried_to_grid(setup, soil, soil_tiling, grid, team);
 
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(water.position, first), count);
     const bool walled = beside_walls(setup.walls, lattice, chunk, count);
-    double mass[chunk_size];
+    const double* volume = water.volume.data() + first;
+    double mass[chunk_size], half[chunk_size], elongated[Space::axes][chunk_size];
     for (int l = 0; l < count; ++l) {
-      const std::size_t p = first + l;
-      mass[l] = density * water.volume[p];
-      std::array<double, 3> x{0, 0, 0};
-      for (int d = 0; d < Space::axes; ++d) x[d] = water.position[d][p];
-      const std::ptrdiff_t own = cell_index(lattice, chunk, l);
-      const double bulk = water.volume[p] / grid.cell_porosity[own];
-      const double half = std::max(0.1, half_edge<Space>(bulk, cell_volume));
-      const bool cut = setup.bodies.open_cell(own) < 1;  // such a cell keeps what is in it
-      const auto add = [&](std::ptrdiff_t cell, double share) {
-        grid.water_volume[setup.bodies.open_neighbour(cell)] += share * water.volume[p];
-      };
-      if (cut)
-        add(own, 1);
-      else if (walled)
-        over_seen_cells(setup.walls, lattice, x, cell_places(chunk, l), half, setup.water_box.low, setup.water_box.high,
-                        add);
-      else
-        BoxOverlap<Space>(lattice, x, elongated(water, p, half), setup.water_box.low, setup.water_box.high)
-            .over_cells(lattice, add);
+      mass[l] = density * volume[l];
+      const double bulk = volume[l] / grid.cell_porosity[cell_index(lattice, chunk, l)];
+      half[l] = std::max(0.1, half_edge<Space>(bulk, cell_volume));
     }
+    HalfEdges<Space> half_edges{half, {}};
+    for (int a = 0; a < Space::axes; ++a) {
+      half_edges.along[a] = half;
+      if (!stretched) continue;
+      const double* elongation = water.elongation[a].data() + first;
+      for (int l = 0; l < count; ++l) elongated[a][l] = std::max(thinnest_half, half[l] * (1 + elongation[l]));
+      half_edges.along[a] = elongated[a];
+    }
+    over_boxes(setup, water.position, setup.water_box, first, count, chunk, walled, half_edges,
+               [&](int l, std::ptrdiff_t cell, double share) { grid.water_volume[cell] += share * volume[l]; });
     over_components<Space>([&]<int c>() {
       if (walled)
         scatter_beside_walls<c, false>(setup.walls, lattice, water, mass, nullptr, first, count, chunk,
