@@ -52,17 +52,26 @@ void gather_component(const Lattice<Space>& lattice, const ChunkWeights<Space>& 
   }
 }
 
-/// The field's value alone.
-template <int c, class Space>
-void gather_value(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int count, const double* field,
-                  double* value) {
+/// The values of several fields of one component, and nothing else.
+template <int c, int fields, class Space>
+void gather_values(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int count,
+                   const std::array<const double*, fields>& field, const std::array<double*, fields>& value) {
+  static_assert(fields <= 4);
   for (int l = 0; l < count; ++l) {
-    const double* base = field + stencil_base<c>(chunk, l);
-    Vec4 sum{};
+    const std::ptrdiff_t base = stencil_base<c>(chunk, l);
+    Vec4 sum[fields] = {};
     over_rows<c>(chunk, lattice, l, [&](std::ptrdiff_t at, double wy, double, double, double wz, double, double) {
-      sum += (wy * wz) * load4(base + at);
+      for (int f = 0; f < fields; ++f) sum[f] += (wy * wz) * load4(field[f] + base + at);
     });
-    value[l] = sum_lanes(sum * x_row<c>(chunk, l).weight);
+    const Vec4 x = x_row<c>(chunk, l).weight;
+    if constexpr (fields == 1) {
+      value[0][l] = sum_lanes(sum[0] * x);
+    } else {
+      Vec4 weighted[4] = {};
+      for (int f = 0; f < fields; ++f) weighted[f] = sum[f] * x;
+      const Vec4 sums = sum_lanes(weighted[0], weighted[1], weighted[2], weighted[3]);
+      for (int f = 0; f < fields; ++f) value[f][l] = sums[f];
+    }
   }
 }
 

@@ -133,13 +133,12 @@ void gather(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, bool wa
   else
     gather_component<c, with_gradient>(setup.lattice, chunk, count, field.data(), out);
 }
-template <int c, class Space>
-void gather(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, bool walled, int count, const Array& field,
-            double* value) {
-  if (walled)
-    gather_value_beside_walls<c>(setup.walls, setup.lattice, chunk, count, field.data(), value);
-  else
-    gather_value<c>(setup.lattice, chunk, count, field.data(), value);
+template <int c, int fields, class Space>
+void gather(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, bool walled, int count,
+            const std::array<const double*, fields>& field, const std::array<double*, fields>& value) {
+  if (!walled) return gather_values<c, fields>(setup.lattice, chunk, count, field, value);
+  for (int f = 0; f < fields; ++f)
+    gather_value_beside_walls<c>(setup.walls, setup.lattice, chunk, count, field[f], value[f]);
 }
 
 /// The grid's porosity around a soil point.
@@ -160,14 +159,14 @@ double grid_porosity(const Setup<Space>& setup, const GridFields<Space>& grid, c
 /// step. Differences between points of one cell are below what the grid resolves, and nothing else ends their growth.
 /// Volume and mass of the group stay what they are; a group of several materials is left alone.
 template <class Space>
-void mix_porosity(const double* strain_before, std::size_t first, std::size_t last, SoilPoints<Space>& soil) {
+void mix_porosity(const double* shear, std::size_t first, std::size_t last, SoilPoints<Space>& soil) {
   double mass = 0, volume = 0, sheared = 0;
   for (std::size_t p = first; p < last; ++p) {
     if (soil.material[p] != soil.material[first]) return;
     const double v = soil.mass[p] / (1 - soil.porosity[p]);
     mass += soil.mass[p];
     volume += v;
-    sheared += v * (soil.deviatoric_strain[p] - strain_before[p - first]);
+    sheared += v * shear[p - first];
   }
   const double share = 1 - std::exp(-porosity_mixing * sheared / volume);
   const double mean = volume / mass;
@@ -213,15 +212,15 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
       over_components<Space>([&]<int c>() {
         gather<c, false>(setup, chunk, walled, count, grid.water_velocity[c], gathered);
         take_motion<c>(lattice, gathered, first, count, water);
-        if (stretched)
-          shift_in_cells<c>(lattice, chunk, count, grid.shift[c], displacement[c]);
-        else
-          gather<c>(setup, chunk, walled, count, grid.shift[c], displacement[c]);
         if (in_soil) {
-          gather<c>(setup, chunk, walled, count, grid.discharge[c], discharge);
-          gather<c>(setup, chunk, walled, count, grid.soil_velocity[c], gathered.value);
+          gather<c, 3>(setup, chunk, walled, count,
+                       {grid.shift[c].data(), grid.discharge[c].data(), grid.soil_velocity[c].data()},
+                       {displacement[c], discharge, gathered.value});
           for (int l = 0; l < count; ++l) gathered.value[l] += discharge[l] / porosity[l];
+        } else {
+          gather<c, 1>(setup, chunk, walled, count, {grid.shift[c].data()}, {displacement[c]});
         }
+        if (stretched) shift_in_cells<c>(lattice, chunk, count, grid.shift[c], displacement[c]);
         const double inverse = 1 / lattice.spacing[c];
         for (int l = 0; l < count; ++l) {
           displacement[c][l] += dt * gathered.value[l];
@@ -246,7 +245,7 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
     ChunkWeights<Space> chunk;
     Gathered<Space> gathered;
     VelocityGradients<Space> gradients;
-    double displacement[Space::axes][chunk_size], dilation[chunk_size];
+    double displacement[Space::axes][chunk_size], dilation[chunk_size], shear[chunk_size];
     std::ptrdiff_t cell[chunk_size];
     for (std::size_t first = tile.first, end = first + tile.count; first < end;) {
       const int count = whole_groups(soil, first, end);
@@ -284,12 +283,10 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
         const double mean = change / volume;
         for (; l < last; ++l) dilation[l] = (1 - fbar) * dilation[l] + fbar * mean;
       }
-      double strain_before[chunk_size];
-      std::copy_n(soil.deviatoric_strain.data() + first, count, strain_before);
-      update_soil(setup, dt, first, count, gradients, dilation, soil);
+      update_soil(setup, dt, first, count, gradients, dilation, soil, shear);
       for (int l = 0, last = 0; l < count; l = last) {
         while (last < count && soil.home[first + last] == soil.home[first + l]) ++last;
-        mix_porosity(strain_before + l, first + l, first + last, soil);
+        mix_porosity(shear + l, first + l, first + last, soil);
       }
       for (int l = 0; l < count; ++l) {
         const std::size_t p = first + l;
