@@ -1,12 +1,14 @@
 #include "polder/report/encode.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
+#include <libdeflate.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <new>
 #include <stdexcept>
 
 #include "polder/result/paint.hpp"
@@ -93,12 +95,14 @@ std::string text_of(const std::vector<std::uint8_t>& bytes) {
   return base64({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
+constexpr int quick = 1;
+
 /// The prediction whose bytes pack best, judged by a quick pass.
 Prediction best_prediction(const Quantised& quantised, const TrackedOrder& order) {
   Prediction best = Prediction::time;
   std::size_t smallest = std::numeric_limits<std::size_t>::max();
   for (const Prediction kind : {Prediction::time, Prediction::neighbour, Prediction::linear}) {
-    const std::size_t size = deflate(predict(quantised.q, order, kind), Z_BEST_SPEED).size();
+    const std::size_t size = deflate(predict(quantised.q, order, kind), quick).size();
     if (size >= smallest) continue;
     smallest = size;
     best = kind;
@@ -157,11 +161,12 @@ std::vector<std::uint16_t> unpredict(std::span<const std::uint8_t> bytes, const 
 }
 
 std::vector<std::uint8_t> deflate(std::span<const std::uint8_t> bytes, int level) {
-  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  std::vector<std::uint8_t> packed(size);
-  if (compress2(packed.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()), level) != Z_OK)
-    throw std::runtime_error("zlib could not compress the report's data");
-  packed.resize(size);
+  const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
+      libdeflate_alloc_compressor(level), libdeflate_free_compressor);
+  if (!compressor) throw std::bad_alloc();
+  std::vector<std::uint8_t> packed(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()));
+  packed.resize(
+      libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), packed.data(), packed.size()));
   return packed;
 }
 

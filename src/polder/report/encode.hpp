@@ -41,8 +41,8 @@ std::vector<std::uint8_t> predict(std::span<const std::uint16_t> q, const Tracke
 std::vector<std::uint16_t> unpredict(std::span<const std::uint8_t> bytes, const TrackedOrder& order,
                                      Prediction prediction);
 
-/// zlib stream (RFC 1950); `level` 1 is quick, 9 small.
-std::vector<std::uint8_t> deflate(std::span<const std::uint8_t> bytes, int level = 9);
+/// zlib stream (RFC 1950); `level` 1 is quick, 12 small.
+std::vector<std::uint8_t> deflate(std::span<const std::uint8_t> bytes, int level = 7);
 
 struct EncodedField {
   PlayerField info;

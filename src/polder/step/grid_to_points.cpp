@@ -13,7 +13,7 @@ namespace polder {
 namespace {
 
 constexpr double porosity_relaxation = 0.02;  // per step, of a fluid point's porosity towards the grid's
-constexpr double porosity_mixing = 4;         // of a group's porosities, per unit of deviatoric strain
+constexpr double porosity_mixing = 8;         // of a group's porosities, per unit of deviatoric strain
 
 /// Runs body(tile) over all tiles and gathers the motion they report.
 template <class Space, class Body>
