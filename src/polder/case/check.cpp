@@ -253,25 +253,6 @@ void check_reservoir(const Checking& c, const Boundary& boundary, const Fields& 
     }
 }
 
-/// Head and inflow on a side of the model.
-void check_side_water(const Checking& c, const Boundary& b, const Fields& f) {
-  const bool head = b.water == WaterCondition::head, inflow = b.water == WaterCondition::inflow;
-  if ((head || inflow) && !f.is_given("side"))
-    report(c.diagnostics, f.place_of("water"), f.path,
-           fmt::format("\"{}\" is for a side of the model", f.text("water")),
-           "give side = \"left\", \"right\", \"base\" or \"top\"");
-  if (head && !f.is_given("head"))
-    report(c.diagnostics, f.place_of("water"), f.path, "the head is missing", "add head = \"0.8 m\"");
-  if (inflow && !f.is_given("inflow"))
-    report(c.diagnostics, f.place_of("water"), f.path, "the inflow is missing", "add inflow = \"5 mm/s\"");
-  if (f.is_given("head") && !head && b.water != WaterCondition::reservoir)
-    report(c.diagnostics, f.place_of("head"), f.path_of("head"), "only a reservoir or a side with a head has one",
-           "set water = \"reservoir\" or water = \"head\"");
-  if (f.is_given("inflow") && !inflow)
-    report(c.diagnostics, f.place_of("inflow"), f.path_of("inflow"), "only a side with an inflow has one",
-           "set water = \"inflow\"");
-}
-
 void check_boundaries(const Checking& c) {
   auto& boundaries = c.model.boundaries;
   for (std::size_t i = 0; i < boundaries.size(); ++i) {
@@ -285,7 +266,6 @@ void check_boundaries(const Checking& c) {
     else if (f.is_given("region") && !reservoir)
       report(c.diagnostics, f.place_of("region"), f.path_of("region"), "only a reservoir has a region",
              "set water = \"reservoir\", or give a side or a line");
-    check_side_water(c, b, f);
     if (reservoir) check_reservoir(c, b, f);
     if (b.line.size() >= 2 && c.has_grid()) check_line(c, b, f);
     if ((b.side == Side::front || b.side == Side::back) && !c.solid())
@@ -331,10 +311,13 @@ void check_stages(const Checking& c) {
 
 void check_monitors(const Checking& c) {
   static constexpr std::pair<const char*, const char*> takes[] = {
-      {"point", "|pressure|porosity|velocity|displacement|effective-stress|water-velocity|"},
+      {"point",
+       "|pressure|excess-pressure|porosity|velocity|displacement|effective-stress|water-velocity|wedge-angle|"},
       {"section", "|discharge|pressure|"},
       {"surface", "|water-surface|soil-surface|"},
-      {"integral", "|water-volume|soil-volume|kinetic-energy|settlement|largest-porosity|"}};
+      {"integral",
+       "|water-volume|soil-volume|kinetic-energy|settlement|largest-porosity|largest-uplift|eroded-area|water-front|"
+       "soil-front|"}};
   for (std::size_t i = 0; i < c.model.monitors.size(); ++i) {
     const Monitor& monitor = c.model.monitors[i];
     const Fields& f = c.sections.monitors[i];
@@ -392,6 +375,7 @@ void check_model(const Sections& sections, Model& model, Diagnostics& diagnostic
   check_laws(c);
   check_initial(c);
   check_boundaries(c);
+  check_openings(sections, model, diagnostics);
   check_walls(sections, model, diagnostics);
   check_stages(c);
   check_monitors(c);

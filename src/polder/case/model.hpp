@@ -75,6 +75,7 @@ struct Boundary {
   Region region;  ///< of a reservoir
   Table head;     ///< m above datum y = 0, as a function of time (reservoir, head)
   Table inflow;   ///< m/s into the model, as a function of time (inflow)
+  std::optional<std::array<double, 2>> span;  ///< m, the part of a side with a head or an inflow: along x, or height
 };
 
 /// A pressure on the ground, downwards; it moves with the soil that is at the surface at the start.

@@ -76,6 +76,7 @@ Json boundary_json(const Boundary& b) {
   if (!b.region.polygon.empty()) json["region"] = b.region.polygon;
   add_table(json, "head", b.head);
   add_table(json, "inflow", b.inflow);
+  if (b.span) json["span"] = *b.span;
   return json;
 }
 

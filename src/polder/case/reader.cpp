@@ -140,7 +140,7 @@ SoilBody read_soil(const Fields& f, const Model& model, Diagnostics& diagnostics
   return soil;
 }
 
-Boundary read_boundary(const Fields& f) {
+Boundary read_boundary(const Fields& f, Diagnostics& diagnostics) {
   static constexpr Side sides[] = {Side::left, Side::right, Side::base, Side::top, Side::front, Side::back};
   static constexpr SoilCondition soils[] = {SoilCondition::none, SoilCondition::roller, SoilCondition::rough};
   static constexpr WaterCondition waters[] = {WaterCondition::closed, WaterCondition::open, WaterCondition::reservoir,
@@ -154,6 +154,12 @@ Boundary read_boundary(const Fields& f) {
   boundary.region.polygon = points2(f.find("region"));
   if (const Entry* head = f.find("head")) boundary.head = head->table;
   if (const Entry* inflow = f.find("inflow")) boundary.inflow = inflow->table;
+  const Entry* span = f.find("span");
+  if (span && span->numbers.size() == 2 && span->numbers[0] < span->numbers[1])
+    boundary.span = {span->numbers[0], span->numbers[1]};
+  else if (span)
+    report(diagnostics, span->place, f.path_of("span"), "is not [from, to] with from < to",
+           "give the two ends of the opening along the side");
   // A reservoir is only about water.
   if (boundary.water == WaterCondition::reservoir && !f.is_given("soil")) boundary.soil = SoilCondition::none;
   return boundary;
@@ -300,7 +306,7 @@ ReadResult read_case(const std::string& path, const std::vector<std::string>& ov
   for (const Fields& f : sections.soils) model.soils.push_back(read_soil(f, model, diagnostics));
   for (const Fields& f : sections.free_water)
     model.free_water.push_back({read_region(f, model, diagnostics), f.text("name")});
-  for (const Fields& f : sections.boundaries) model.boundaries.push_back(read_boundary(f));
+  for (const Fields& f : sections.boundaries) model.boundaries.push_back(read_boundary(f, diagnostics));
   for (const Fields& f : sections.stages) model.stages.push_back(read_stage(f));
   for (const Fields& f : sections.walls) model.walls.push_back(read_wall(f, model, diagnostics));
   for (const Fields& f : sections.monitors) model.monitors.push_back(read_monitor(f));

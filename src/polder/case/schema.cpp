@@ -168,6 +168,9 @@ std::vector<Key> make_keys() {
        "columns time in s and level in m. Linear between the points, constant beyond."},
       {"boundary", "inflow", "q", "table of velocity", false, "", -100, 100, R"("5 mm/s")",
        "Discharge into the model per area of the side: one value, a list [[time, discharge], …], or a CSV file."},
+      {"boundary", "span", "", "list of length", false, "", any, infinity, R"(["0.45 m", "0.55 m"])",
+       "The part of a side with a head or an inflow that is open, [from, to] along x or of the height of an upright "
+       "side, to the nearest face of the grid: an orifice. Left out: all of it."},
       // ---- wall
       {"wall", "name", "", "name", false, "", any, infinity, R"("sheet pile")", "For messages and the report."},
       {"wall", "line", "", "polyline", false, "", any, infinity, R"([["2 m", "1 m"], ["2 m", "0.3 m"]])",
@@ -208,13 +211,14 @@ std::vector<Key> make_keys() {
        "At points, through a section (a line of two points), of the height of a surface at points, or over a region."},
       {"monitor", "quantity", "",
        "choice:pressure|porosity|velocity|displacement|effective-stress|water-velocity|discharge|water-surface|"
-       "soil-surface|water-volume|soil-volume|kinetic-energy|settlement|largest-porosity",
+       "soil-surface|water-volume|soil-volume|kinetic-energy|settlement|largest-porosity|excess-pressure|wedge-angle|"
+       "largest-uplift|eroded-area|water-front|soil-front",
        true, "", any, infinity, R"("displacement")",
-       "What is recorded. At a point: pressure, porosity, velocity, displacement, effective-stress, water-velocity; "
-       "through "
-       "a section: discharge, pressure; of a surface: water-surface, soil-surface; over a region: water-volume, "
-       "soil-volume, kinetic-energy, settlement (mean, of the soil that was there at the start), "
-       "largest-porosity."},
+       "What is recorded. At a point: pressure, excess-pressure (over the initial water table), porosity, velocity, "
+       "displacement, effective-stress, water-velocity, wedge-angle (of the soil that is lifted over an opening whose "
+       "edge the point is); through a section: discharge, pressure; of a surface: water-surface, soil-surface; over a "
+       "region: water-volume, soil-volume, kinetic-energy, settlement (mean, of the soil that was there at the start), "
+       "largest-porosity, largest-uplift, eroded-area, water-front, soil-front."},
       {"monitor", "at", "", "points", false, "", any, infinity, R"([["3.5 m", "0.2 m"]])",
        "The points; of a section the two ends of the line; of a surface the places where its height is taken."},
       {"monitor", "region", "", "polygon", false, "", any, infinity,

@@ -47,6 +47,9 @@ void settle_permeability(const Fields& fields, const WaterProperties& water, dou
 /// nobody has… Snaps sizes and lines to the grid where they are within round-off of it.
 void check_model(const Sections& sections, Model& model, Diagnostics& diagnostics);
 
+/// Sides with a head or an inflow: what is missing, and whether the opening fits the side and the grid.
+void check_openings(const Sections& sections, const Model& model, Diagnostics& diagnostics);
+
 /// Walls that are not in the model or too short for the grid; says how far a wall is from the faces that it lies on.
 void check_walls(const Sections& sections, const Model& model, Diagnostics& diagnostics);
 

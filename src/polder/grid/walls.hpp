@@ -4,8 +4,9 @@
 // Each phase lives in a box of cells. What spline weights write beyond a wall is added to its mirror image (fold), and
 // what they read there is the mirror image (reflect): even for scalars, masses and, at a smooth wall, tangential
 // components; odd for the component normal to the wall and, at a fully rough wall, for the tangential ones too. At a
-// side that is open all is even: what lies beyond moves as what is inside.
+// side that is open all is even: what lies beyond moves as what is inside. A side may be open in a part of it only.
 #include <array>
+#include <limits>
 
 #include "polder/grid/lattice.hpp"
 
@@ -17,11 +18,26 @@ struct PhaseBox {
   std::array<int, 3> low{0, 0, 0};                ///< first cell inside, per axis
   std::array<int, 3> high{1, 1, 1};               ///< one past the last cell inside
   std::array<std::array<WallKind, 2>, 3> wall{};  ///< [axis][0: low side, 1: high side]
+
+  /// The part of an open side that is open: cells [from, to) along x, of sides across x along the height.
+  struct Opening {
+    int from = std::numeric_limits<int>::min(), to = std::numeric_limits<int>::max();
+    bool whole() const { return from == std::numeric_limits<int>::min(); }
+    bool covers(int cell) const { return cell >= from && cell < to; }
+  };
+  std::array<std::array<Opening, 2>, 3> opening{};  ///< [axis][side], where the wall is open
 };
+
+/// Axis along which the opening of a side is counted.
+template <class Space>
+constexpr int along_side(int axis) {
+  return axis == 0 ? Space::up : 0;
+}
 
 namespace detail {
 
-/// Calls body(offset) for every position of the plane across `axis`, ghosts of the other axes included.
+/// Calls body(offset, place along each axis) for every position of the plane across `axis`, ghosts of the other axes
+/// included.
 template <class Space, class Body>
 void over_plane(const Lattice<Space>& lattice, int axis, Body&& body) {
   std::ptrdiff_t count[3] = {1, 1, 1};
@@ -29,7 +45,8 @@ void over_plane(const Lattice<Space>& lattice, int axis, Body&& body) {
     count[a] = a == axis ? 1 : lattice.cells[a] + Lattice<Space>::ghost_low + Lattice<Space>::ghost_high;
   for (std::ptrdiff_t k = 0; k < count[2]; ++k)
     for (std::ptrdiff_t j = 0; j < count[1]; ++j)
-      for (std::ptrdiff_t i = 0; i < count[0]; ++i) body(i + j * lattice.stride[1] + k * lattice.stride[2]);
+      for (std::ptrdiff_t i = 0; i < count[0]; ++i)
+        body(i + j * lattice.stride[1] + k * lattice.stride[2], std::array<std::ptrdiff_t, 3>{i, j, k});
 }
 
 /// Calls body(ghost, image, sign) for every pair of positions that a wall makes mirror images of each other.
@@ -46,7 +63,16 @@ void over_mirrors(int component, bool motion, const PhaseBox& box, const Lattice
       const int low = box.low[axis], high = box.high[axis];
       const std::ptrdiff_t ghost = origin + (side == 0 ? low - 1 : normal ? high + 1 : high) * s;
       const std::ptrdiff_t image = origin + (side == 1 ? high - 1 : normal ? low + 1 : low) * s;
-      over_plane(lattice, axis, [&](std::ptrdiff_t at) { body(at + ghost, at + image, sign); });
+      const PhaseBox::Opening& opening = box.opening[axis][side];
+      if (motion && normal && kind == WallKind::open && !opening.whole()) {
+        const std::size_t along = static_cast<std::size_t>(along_side<Space>(axis));
+        over_plane(lattice, axis, [&](std::ptrdiff_t at, const std::array<std::ptrdiff_t, 3>& place) {
+          const bool opened = opening.covers(static_cast<int>(place[along] - Lattice<Space>::ghost_low));
+          body(at + ghost, at + image, opened ? 1.0 : -1.0);
+        });
+        continue;
+      }
+      over_plane(lattice, axis, [&](std::ptrdiff_t at, const auto&) { body(at + ghost, at + image, sign); });
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "polder/case/geometry.hpp"
+#include "polder/result/measures.hpp"
 #include "polder/step/face_loop.hpp"
 
 namespace polder {
@@ -70,44 +71,6 @@ std::array<double, 3> reference(const SoilPoints<Space>& soil, std::size_t p) {
   return x;
 }
 
-template <class Space>
-double water_surface(const Simulation<Space>& run, const Point3& place) {
-  const auto& lattice = run.state().setup.lattice;
-  const auto& grid = run.state().grid;
-  const auto cell = cell_of(lattice, {place[0], place[1], place[2]});
-  std::array<int, 3> at = cell;
-  for (int level = lattice.cells[Space::up] - 1; level >= 0; --level) {
-    at[Space::up] = level;
-    const std::ptrdiff_t c = lattice.index(at[0], at[1], at[2]);
-    if (!grid.wet[c]) continue;
-    // the fill of the uppermost cells together: one alone scatters by the size of a point
-    const std::ptrdiff_t s = lattice.stride[Space::up];
-    const int deep = std::min(level, 4);
-    double filled = grid.fill[c + s];
-    for (int d = 0; d <= deep; ++d) filled += grid.fill[c - d * s];
-    return (level - deep + filled) * lattice.spacing[Space::up];
-  }
-  return 0;
-}
-
-template <class Space>
-double soil_surface(const Simulation<Space>& run, const Point3& place) {
-  const auto& lattice = run.state().setup.lattice;
-  const auto& soil = run.state().soil;
-  double top = 0;
-  for (std::size_t p = 0; p < soil.size(); ++p) {
-    bool over = !soil.fluid[p];
-    for (int a = 0; a < Space::axes; ++a)
-      if (a != Space::up) over = over && std::abs(soil.position[a][p] - place[a]) < 0.5 * lattice.spacing[a];
-    if (!over) continue;
-    double volume = soil.mass[p] / run.state().setup.materials[soil.material[p]].grain_density / (1 - soil.porosity[p]);
-    for (int a = 0; a < Space::axes; ++a)
-      volume /= a == Space::up ? 1 : lattice.spacing[a] / run.model().points_per_axis;
-    top = std::max(top, soil.position[Space::up][p] + 0.5 * volume);
-  }
-  return top;
-}
-
 /// Discharge m³/s (per metre) or mean pressure through the section, a line snapped to the nearest faces.
 template <class Space>
 double section(const Simulation<Space>& run, const Monitor& monitor) {
@@ -154,10 +117,13 @@ std::vector<Part> parts_of(const Monitor& monitor) {
   if (q == "displacement") return {{" ux", "m"}, {" u" + up.substr(1), "m"}};
   if (q == "velocity" || q == "water-velocity") return {{" vx", "m/s"}, {" v" + up.substr(1), "m/s"}};
   if (q == "effective-stress") return {{" sxx", "Pa"}, {" s" + up.substr(1) + up.substr(1), "Pa"}};
-  if (q == "pressure") return {{"", "Pa"}};
+  if (q == "pressure" || q == "excess-pressure") return {{"", "Pa"}};
+  if (q == "wedge-angle") return {{"", "deg"}};
   if (q == "porosity" || q == "largest-porosity") return {{"", ""}};
   if (q == "discharge") return {{"", Space::axes == 3 ? "m3/s" : "m2/s"}};
-  if (q == "water-surface" || q == "soil-surface" || q == "settlement") return {{"", "m"}};
+  if (q == "water-surface" || q == "soil-surface" || q == "settlement" || q == "largest-uplift" || q == "water-front" ||
+      q == "soil-front")
+    return {{"", "m"}};
   if (q == "kinetic-energy") return {{"", Space::axes == 3 ? "J" : "J/m"}};
   return {{"", Space::axes == 3 ? "m3" : "m2"}};
 }
@@ -171,6 +137,10 @@ void sample_point(const Simulation<Space>& run, const Monitor& monitor, const Po
   const auto value = [&](auto& array) { return soil ? array[p] : 0.0; };
   if (q == "pressure") {
     row.push_back(run.pressure_at(soil && monitor.follows_soil ? at(state.soil, p) : std::array<double, 3>(place)));
+  } else if (q == "excess-pressure") {
+    row.push_back(excess_pressure(run, soil && monitor.follows_soil ? Point3(at(state.soil, p)) : place));
+  } else if (q == "wedge-angle") {
+    row.push_back(wedge_angle(run, place));
   } else if (q == "porosity") {
     row.push_back(value(state.soil.porosity));
   } else if (q == "displacement") {
@@ -227,6 +197,8 @@ Monitors<Space>::Monitors(const Simulation<Space>& run) : model_(run.model()) {
   for (const Monitor& monitor : model_.monitors) {
     if (monitor.kind == MonitorKind::integral || monitor.kind == MonitorKind::section) {
       members_.emplace_back();
+      before_.emplace_back();
+      if (monitor.quantity == "eroded-area") before_.back() = soil_columns(run, monitor.region, true);
       if (monitor.quantity == "settlement") {
         for (std::size_t p = 0; p < soil.size(); ++p)
           if (inside<Space>(monitor.region, reference(soil, p))) members_.back().push_back(soil.id[p]);
@@ -301,10 +273,19 @@ std::vector<double> Monitors<Space>::sample(const Simulation<Space>& run, double
       } else if (monitor.quantity == "largest-porosity") {
         for (std::size_t p = 0; p < soil.size(); ++p)
           if (inside<Space>(monitor.region, at(soil, p))) sum = std::max(sum, soil.porosity[p]);
+      } else if (monitor.quantity == "eroded-area") {
+        sum = eroded_area(run, monitor.region, before_[follower.soil_id]);
+      } else if (monitor.quantity == "largest-uplift") {
+        sum = largest_uplift(run, monitor.region);
+      } else if (monitor.quantity == "water-front") {
+        sum = water_front(run);
+      } else if (monitor.quantity == "soil-front") {
+        sum = soil_front(run);
       }
-      const bool water = monitor.quantity != "soil-volume", grains = monitor.quantity != "water-volume";
       const bool kinetic = monitor.quantity == "kinetic-energy";
-      if (monitor.quantity != "settlement" && monitor.quantity != "largest-porosity") {
+      const bool water = kinetic || monitor.quantity == "water-volume";
+      const bool grains = kinetic || monitor.quantity == "soil-volume";
+      if (water || grains) {
         if (water)
           for (std::size_t p = 0; p < state.water.size(); ++p)
             if (inside<Space>(monitor.region, at(state.water, p)))

@@ -34,7 +34,8 @@ class Monitors {
   Model model_;  // owns the monitors that followers point to
   std::vector<HistoryColumn> columns_;
   std::vector<Follower> followers_;
-  std::vector<std::vector<std::uint64_t>> members_;  // per monitor of kind settlement: ids of its soil, sorted
+  std::vector<std::vector<std::uint64_t>> members_;  // per integral: ids of the soil of a settlement, sorted
+  std::vector<std::vector<double>> before_;          // per integral: heights at the start, for an eroded area
 };
 
 }  // namespace polder

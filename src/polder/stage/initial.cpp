@@ -96,7 +96,13 @@ Setup<Space> make_setup(const Model& model) {
     if (boundary.side && (boundary.water == WaterCondition::head || boundary.water == WaterCondition::inflow)) {
       const auto [axis, end] = side_of<Space>(*boundary.side);
       const bool head = boundary.water == WaterCondition::head;
-      setup.open_sides.push_back({axis, end, head, head ? boundary.head : boundary.inflow});
+      const int along = along_side<Space>(axis);
+      PhaseBox::Opening part;
+      if (boundary.span)
+        part = {static_cast<int>(std::lround((*boundary.span)[0] / model.cell[along])),
+                static_cast<int>(std::lround((*boundary.span)[1] / model.cell[along]))};
+      setup.open_sides.push_back({axis, end, head, head ? boundary.head : boundary.inflow, part});
+      setup.water_box.opening[axis][end] = part;
       setup.water_box.wall[axis][end] = WallKind::open;
     }
     if (boundary.soil == SoilCondition::none) continue;

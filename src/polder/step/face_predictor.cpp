@@ -104,6 +104,7 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
         double S = std::min(1.0, (water_mass[f] + held) / (rho_w * n * volume));
         const bool has_water = S > water_present;
         const OpenSide* side = place == 0 ? opening[0] : place == lattice.cells[c] ? opening[1] : nullptr;
+        if (side && !side->part.covers(c == 0 ? at[Space::up] : at[0] + i)) side = nullptr;
         if (beside_wet) S = both_wet || side ? 1 : std::max(least_saturation, S);
 
         double soil = has_soil ? vs[f] / soil_mass[f] : 0;

@@ -115,6 +115,19 @@ void move_chunk(const Setup<Space>& setup, const PhaseBox& box, bool walled, boo
   for (int a = 0; a < Space::axes; ++a)
     move(points.position[a].data() + first, displacement[a], count, (box.low[a] + gap(a, 0)) * lattice.spacing[a],
          (box.high[a] - gap(a, 1)) * lattice.spacing[a]);
+  for (int a = 0; a < Space::axes; ++a)
+    for (int side = 0; side < 2; ++side) {
+      if (box.wall[a][side] != WallKind::open || box.opening[a][side].whole()) continue;
+      const std::size_t along = static_cast<std::size_t>(along_side<Space>(a));
+      const double low = wall_gap * lattice.spacing[a], high = (box.high[a] - wall_gap) * lattice.spacing[a];
+      for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
+        if (box.opening[a][side].covers(
+                static_cast<int>(std::floor(points.position[along][p] / lattice.spacing[along]))))
+          continue;
+        double& x = points.position[a][p];
+        x = side == 0 ? std::max(x, low) : std::min(x, high);
+      }
+    }
   for (int l = 0; bodied && l < count; ++l) leave_body(setup, box, first + static_cast<std::size_t>(l), points);
   for (int l = 0; walled && l < count; ++l) {
     std::array<double, 3> from{0, 0, 0}, to{0, 0, 0};

@@ -42,7 +42,7 @@ void prepare_open_sides(const Setup<Space>& setup, double time, GridFields<Space
   for (const OpenSide& side : setup.open_sides) {
     if (!side.prescribes_head) continue;
     const double head = side.value(time);
-    over_side(lattice, side.axis, side.end,
+    over_side(lattice, side,
               [&](std::ptrdiff_t, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>& cell) {
                 const double height = side.axis == Space::up ? (side.end == 0 ? 0 : lattice.length(Space::up))
                                                              : (cell[Space::up] + 0.5) * lattice.spacing[Space::up];
@@ -57,9 +57,10 @@ template <class Space>
 void close_seepage_faces(const Setup<Space>& setup, GridFields<Space>& grid) {
   for (const OpenSide& side : setup.open_sides) {
     if (!side.prescribes_head) continue;
-    over_side(setup.lattice, side.axis, side.end,
+    over_side(setup.lattice, side,
               [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>&) {
                 if (grid.pressure[outside] > 0 || grid.pressure[inside] > 0) return;
+                if (side.outward() * grid.water_velocity[side.axis][face] > 0) return;  // it is on its way out
                 grid.mobility[side.axis][face] = grid.water_response[side.axis][face] = 0;
                 grid.water_velocity[side.axis][face] = 0;
               });
@@ -88,7 +89,7 @@ std::vector<Exchange> exchange_through_sides(const Setup<Space>& setup, double d
     }
   if (any) remove_points(water, leaves);
   for (const OpenSide& side : setup.open_sides)
-    over_side(lattice, side.axis, side.end,
+    over_side(lattice, side,
               [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>& cell) {
                 double& owed = grid.owed[outside];
                 owed -= side.outward() * grid.porosity[side.axis][face] * grid.water_velocity[side.axis][face] *

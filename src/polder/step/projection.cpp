@@ -49,7 +49,7 @@ void add_heads(const Setup<Space>& setup, const GridFields<Space>& grid, Distanc
   for (const OpenSide& side : setup.open_sides) {
     if (!side.prescribes_head) continue;
     const double scale = lattice.cell_volume() / (lattice.spacing[side.axis] * lattice.spacing[side.axis]);
-    over_side(lattice, side.axis, side.end,
+    over_side(lattice, side,
               [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>&) {
                 if (grid.wet[inside])
                   right_side[inside] +=
@@ -200,20 +200,22 @@ void extrapolate_water(const Setup<Space>& setup, GridFields<Space>& grid, FaceF
   const auto& lattice = setup.lattice;
   for (int c = 0; c < Space::axes; ++c) {
     double* v = field[c].data();
-    const bool open[2] = {setup.open_side(c, 0) != nullptr, setup.open_side(c, 1) != nullptr};
+    const OpenSide* open[2] = {setup.open_side(c, 0), setup.open_side(c, 1)};
+    const auto closed = [&](int end, int along) { return !open[end] || !open[end]->part.covers(along); };
     const AlignedVector<std::uint8_t>& filled =
         spread(lattice, setup.walls, c, grid.reached[c], 2, field[c], grid, team);
     over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
       double* row = v + first;
       const std::uint8_t* known = filled.data() + first;
       const double* mass = grid.water_mass[c].data() + first;
-      if (c > 0 && ((at[c] == 0 && !open[0]) || (at[c] == lattice.cells[c] && !open[1]))) {  // on a wall
-        std::fill_n(row, count, 0.0);
-        return;
-      }
       for (int i = 0; i < count; ++i) row[i] = known[i] || (keep_ballistic && mass[i] > 0) ? row[i] : 0;
-      if (c == 0 && at[0] == 0 && !open[0]) row[0] = 0;
-      if (c == 0 && at[0] + count == lattice.cells[0] + 1 && !open[1]) row[count - 1] = 0;
+      if (c > 0 && (at[c] == 0 || at[c] == lattice.cells[c])) {
+        const int end = at[c] == 0 ? 0 : 1;
+        for (int i = 0; i < count; ++i)
+          if (closed(end, at[0] + i)) row[i] = 0;
+      }
+      if (c == 0 && at[0] == 0 && closed(0, at[Space::up])) row[0] = 0;
+      if (c == 0 && at[0] + count == lattice.cells[0] + 1 && closed(1, at[Space::up])) row[count - 1] = 0;
     });
   }
 }

@@ -1,0 +1,80 @@
+// A side that is open in a part of it only, against what a bed of fixed sand must do above it.
+#include <gtest/gtest.h>
+
+#include "case_text.hpp"
+#include "polder/stage/simulation.hpp"
+
+namespace polder {
+namespace {
+
+const std::string bed = R"(
+[model]
+size = ["0.6 m", "0.4 m"]
+cell = "0.025 m"
+[[material]]
+name = "sand"
+law = "linear-elastic"
+young_modulus = "1 MPa"
+fixed = true
+grain_density = "2660 kg/m3"
+porosity = 0.34
+permeability = "5e-3 m/s"
+drag = "darcy"
+[[soil]]
+material = "sand"
+box = [["0 m", "0 m"], ["0.6 m", "0.2 m"]]
+[[free_water]]
+box = [["0 m", "0.2 m"], ["0.6 m", "0.3 m"]]
+[initial]
+water_table = [["0 m", "0.3 m"], ["0.6 m", "0.3 m"]]
+[numerics]
+pressure_tolerance = 1e-10
+[[stage]]
+name = "leak"
+duration = "0.5 s"
+[[boundary]]
+side = "base"
+)";
+
+double volume_of(const Simulation<PlaneStrain>& run) {
+  double sum = 0;
+  for (const double v : run.state().water.volume) sum += v;
+  return sum;
+}
+
+TEST(Orifice, LetsInWhatItsWidthTakes) {
+  Simulation<PlaneStrain> run(
+      read_text(bed + "water = \"inflow\"\ninflow = \"10 mm/s\"\nspan = [\"0.25 m\", \"0.35 m\"]\n"), 1);
+  const double before = volume_of(run);
+  while (!run.finished()) run.advance();
+  // 10 mm/s over 0.1 m for 0.5 s; what is owed and not yet in points is less than a layer of a cell for each of 4 cells
+  const double layer = 0.34 * 0.025 * 0.025 / 2;
+  EXPECT_NEAR(volume_of(run) - before, 0.01 * 0.1 * 0.5, 4 * layer);
+  EXPECT_LT(run.audit().flux_balance_error(), 1e-6);
+}
+
+TEST(Orifice, UnderAHeadIsSymmetricAndTightBesideIt) {
+  Simulation<PlaneStrain> run(read_text(bed + "water = \"head\"\nhead = \"1.3 m\"\nspan = [\"0.25 m\", \"0.35 m\"]\n"),
+                              1);
+  while (!run.finished()) run.advance();
+  const auto& grid = run.state().grid;
+  const auto& lattice = run.state().setup.lattice;
+  const double given = 1000 * 9.81 * 1.0;  // over the water at rest
+  const auto excess = [&](int i, int j) {
+    return grid.pressure[lattice.index(i, j)] - 1000 * 9.81 * (0.3 - (j + 0.5) * 0.025);
+  };
+  for (int i = 0; i < 12; ++i) EXPECT_NEAR(excess(i, 0), excess(23 - i, 0), 1e-3 * given) << i;
+  EXPECT_GT(excess(11, 0), 0.75 * given);
+  EXPECT_LT(excess(11, 0), given);
+  for (int i = 0; i < 24; ++i) {
+    const double v = grid.water_velocity[1][lattice.index(i, 0)];
+    if (i >= 10 && i < 14)
+      EXPECT_GT(v, 0) << i;
+    else
+      EXPECT_EQ(v, 0) << i;
+  }
+  for (const double y : run.state().water.position[1]) EXPECT_GE(y, 0);
+}
+
+}  // namespace
+}  // namespace polder
