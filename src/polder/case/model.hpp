@@ -72,9 +72,9 @@ struct Boundary {
   /// `roller`: no normal displacement of the soil; `rough`: no displacement at all.
   SoilCondition soil = SoilCondition::none;
   WaterCondition water = WaterCondition::closed;
-  Region region;  ///< of a reservoir
-  Table head;     ///< m above datum y = 0, as a function of time (reservoir, head)
-  Table inflow;   ///< m/s into the model, as a function of time (inflow)
+  Region region;                              ///< of a reservoir
+  Table head;                                 ///< m above datum y = 0, as a function of time (reservoir, head)
+  Table inflow;                               ///< m/s into the model, as a function of time (inflow)
   std::optional<std::array<double, 2>> span;  ///< m, the part of a side with a head or an inflow: along x, or height
 };
 
