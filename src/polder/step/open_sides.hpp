@@ -16,8 +16,8 @@ namespace polder {
 template <class Space>
 void prepare_open_sides(const Setup<Space>& setup, double time, GridFields<Space>& grid);
 
-/// Above the head water may leave and not enter: faces are closed where the water is not on its way out and its cell had
-/// no pressure to drive it. After predict_faces().
+/// Above the head water may leave and not enter: faces are closed where the water is not on its way out and its cell
+/// had no pressure to drive it. After predict_faces().
 template <class Space>
 void close_seepage_faces(const Setup<Space>& setup, GridFields<Space>& grid);
 
