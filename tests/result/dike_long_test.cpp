@@ -1,5 +1,6 @@
 // Study P1 with the default soil rule: failure measured in bulk does not depend on the grid, and Darcy's law leads.
 // The numbers compared and their tolerances are those of cases/dike-seepage/expected.toml.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <toml++/toml.h>
@@ -48,7 +49,7 @@ struct Course {
 
 Course run(const std::string& name, int cells_per_metre) {
   const ReadResult read = read_case(std::string(POLDER_SOURCE_DIR) + "/cases/" + name + "/case.toml",
-                                    {"model.cell=" + std::to_string(1.0 / cells_per_metre)});
+                                    {fmt::format("model.cell={:.15g}", 1.0 / cells_per_metre)});
   EXPECT_TRUE(read.ok());
   Simulation<PlaneStrain> simulation(read.model, 2);
   Course course;
