@@ -9,7 +9,10 @@ while [ $interruptions -lt 20 ]; do
   signal=${signals[$((interruptions % 3))]}
   how=--force # killed before there was anything to resume from
   [ ! -e parts/checkpoint.h5 ] || how=--resume
+  rm -f parts/log.txt
   polder run dike-seepage --out parts "${options[@]}" $how >/dev/null 2>&1 &
+  # a shell's background job ignores SIGINT until the program listens: it does once it has a log
+  for _ in $(seq 600); do [ ! -e parts/log.txt ] || break; sleep 0.05; done
   sleep 0.$((RANDOM % 4 + 1))$((RANDOM % 10))
   kill -$signal $! 2>/dev/null || true
   status=0

@@ -79,8 +79,6 @@ void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t
 template <class Space>
 ActiveRows<Space> rows_near(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& soil_home,
                             const AlignedVector<std::int32_t>& water_home, int threads) {
-  constexpr int width = Tiling<Space>::width;
-  const auto tiles = tiles_of(lattice);
   ActiveRows<Space> rows(lattice, threads);
   std::vector<RowSpan> occupied(rows.spans.size());
   for (const auto* homes : {&soil_home, &water_home}) {
@@ -88,12 +86,7 @@ ActiveRows<Space> rows_near(const Lattice<Space>& lattice, const AlignedVector<s
     for (const std::int32_t home : *homes) {
       if (home == last) continue;
       last = home;
-      int tile = home / cells_in_tile<Space>, inner = home % cells_in_tile<Space>, cell[3] = {0, 0, 0};
-      for (int a = 0; a < Space::axes; ++a) {
-        cell[a] = tile % tiles[a] * width + inner % width;
-        tile /= tiles[a];
-        inner /= width;
-      }
+      const auto cell = cell_of_home(lattice, home);
       RowSpan& span = occupied[static_cast<std::size_t>(cell[1] + cell[2] * lattice.cells[1])];
       span = span.joined({cell[0], cell[0] + 1});
     }

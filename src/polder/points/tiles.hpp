@@ -43,6 +43,22 @@ std::array<int, 3> cell_of(const Lattice<Space>& lattice, const std::array<doubl
 template <class Space>
 void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& home, Tiling<Space>& tiling);
 
+/// The cell that a home stands for.
+template <class Space>
+std::array<int, 3> cell_of_home(const Lattice<Space>& lattice, std::int32_t home) {
+  constexpr int width = Tiling<Space>::width;
+  constexpr int in_tile = width * width * (Space::axes == 3 ? width : 1);
+  int tile = home / in_tile, inner = home % in_tile;
+  std::array<int, 3> cell{0, 0, 0};
+  for (int a = 0; a < Space::axes; ++a) {
+    const int tiles = (lattice.cells[a] + width - 1) / width;
+    cell[a] = tile % tiles * width + inner % width;
+    tile /= tiles;
+    inner /= width;
+  }
+  return cell;
+}
+
 /// How far from a point's home anything may happen in a step, in cells: half a cell of drift and half a cell of box
 /// make its neighbours wet, the faces of those carry velocities, extrapolated two layers on, and splines read one
 /// further.

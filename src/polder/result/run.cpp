@@ -31,21 +31,13 @@ namespace {
 
 constexpr double round_off = 1e-9;
 
-/// What makes a case the same one, wherever its file lies.
-std::string identity(const Model& model) {
-  auto json = case_json(model);
-  json.erase("file");
-  json.erase("name");
-  return json.dump();
-}
-
 template <class Space>
 class Run {
  public:
   Run(const Model& model, const RunOptions& options)
       : model_(model),
         options_(options),
-        case_text_(identity(model)),
+        case_text_(case_identity(model)),
         folder_(options.folder, options.resume, options.force),
         simulation_(std::make_unique<Simulation<Space>>(model, options.threads)),
         progress_(options.quiet) {
@@ -213,6 +205,8 @@ class Run {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     Summary& s = summary_;
+    s.warnings = simulation_->guards().warnings();
+    for (const std::string& warning : s.warnings) log_->warn("{}", warning);
     s.version = options_.version;
     s.simulated_time = simulation_->time();
     s.steps = state.step;
@@ -265,6 +259,13 @@ class Run {
 };
 
 }  // namespace
+
+std::string case_identity(const Model& model) {
+  auto json = case_json(model);
+  json.erase("file");
+  json.erase("name");
+  return json.dump();
+}
 
 Summary run_case(const Model& model, const RunOptions& options) {
   if (model.space == SpaceKind::solid) return Run<Solid>(model, options).go();

@@ -27,6 +27,9 @@ struct FolderError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What makes a case the same one, wherever its file lies: a checkpoint keeps it.
+std::string case_identity(const Model& model);
+
 /// Runs the case and returns its summary, which is also written. Throws FolderError before anything is written, and
 /// OutputError; a run that fails numerically returns with status `failed`.
 Summary run_case(const Model& model, const RunOptions& options);

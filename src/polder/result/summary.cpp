@@ -28,6 +28,7 @@ nlohmann::ordered_json summary_json(const Summary& s) {
   json["version"] = s.version;
   json["status"] = status_name(s.status);
   json["reason"] = s.reason;
+  json["warnings"] = s.warnings;
   json["simulated_time"] = s.simulated_time;
   json["steps"] = s.steps;
   json["wall_seconds"] = s.wall_seconds;

@@ -16,12 +16,13 @@ std::string id_of(const Json& json, const char* key) {
   return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-StixFiles parse(const std::filesystem::path& file, std::vector<Json>& scenarios) {
+StixFiles parse(const std::map<std::string, std::string>& members, const std::string& archive,
+                std::vector<Json>& scenarios) {
   StixFiles files;
-  for (const auto& [name, text] : read_zip(file)) {
+  for (const auto& [name, text] : members) {
     if (!name.ends_with(".json")) continue;
     Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) throw std::invalid_argument(fmt::format("{}: '{}' is not JSON", file.string(), name));
+    if (json.is_discarded()) throw std::invalid_argument(fmt::format("{}: '{}' is not JSON", archive, name));
     const std::string folder = name.substr(0, name.find('/'));
     if (name == "soils.json")
       files.soils = std::move(json);
@@ -31,7 +32,7 @@ StixFiles parse(const std::filesystem::path& file, std::vector<Json>& scenarios)
       files.by_folder[folder][id] = std::move(json);
   }
   if (files.soils.is_null() || scenarios.empty())
-    throw std::invalid_argument(fmt::format("{}: is not a D-Stability model: {} is missing in it", file.string(),
+    throw std::invalid_argument(fmt::format("{}: is not a D-Stability model: {} is missing in it", archive,
                                             scenarios.empty() ? "scenarios/" : "soils.json"));
   return files;
 }
@@ -128,12 +129,10 @@ void read_result(const StixFiles& files, const std::string& id, StixCalculation&
                                        stix_number(result, "TangentLine")};
 }
 
-}  // namespace
-
-StixModel read_stix(const std::filesystem::path& file) {
+StixModel model_of(const std::map<std::string, std::string>& members, const std::string& name) {
   StixModel model;
   std::vector<Json> scenarios;
-  const StixFiles files = parse(file, scenarios);
+  const StixFiles files = parse(members, name, scenarios);
   for (const Json& scenario : scenarios) {
     const auto stages = scenario.find("Stages"), calculations = scenario.find("Calculations");
     if (stages == scenario.end() || stages->empty() || calculations == scenario.end()) continue;
@@ -162,5 +161,17 @@ StixModel read_stix(const std::filesystem::path& file) {
   model.notes.erase(std::unique(model.notes.begin(), model.notes.end()), model.notes.end());
   return model;
 }
+
+}  // namespace
+
+StixModel read_stix_files(const std::map<std::string, std::string>& members, const std::string& name) {
+  try {
+    return model_of(members, name);
+  } catch (const Json::exception& error) {  // something is not of the kind that it has in such models
+    throw std::invalid_argument(fmt::format("{}: is not a D-Stability model: {}", name, error.what()));
+  }
+}
+
+StixModel read_stix(const std::filesystem::path& file) { return read_stix_files(read_zip(file), file.string()); }
 
 }  // namespace polder::stability

@@ -2,6 +2,7 @@
 // D-Stability models: a .stix file is a zip of JSON files. Stages (geometry, soils, water nets, states, loads) become
 // sections; calculations keep their slip surface or search area, and the factor of safety that is stored with them.
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,5 +34,8 @@ struct StixModel {
 
 /// Throws std::invalid_argument where the file is no D-Stability model.
 StixModel read_stix(const std::filesystem::path& file);
+
+/// The same from the files of the archive by their names; `name` stands for it in messages.
+StixModel read_stix_files(const std::map<std::string, std::string>& members, const std::string& name);
 
 }  // namespace polder::stability

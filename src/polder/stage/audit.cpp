@@ -26,6 +26,7 @@ Audit<Space>::Audit(const Model& model, const Stepper<Space>& state) {
   solid_at_start_ = sum_by_id(state.soil.id, state.soil.mass);
   water_at_start_ = sum_by_id(state.water.id, state.water.volume);
   const auto& lattice = state.setup.lattice;
+  spacing_ = lattice.spacing;
   for (const auto& boundary : model.boundaries) {
     if (boundary.side || boundary.line.size() != 2 || boundary.water != WaterCondition::open) continue;
     const bool upright = std::abs(boundary.line[0][0] - boundary.line[1][0]) < 1e-9 * lattice.length(0);
@@ -114,23 +115,35 @@ void Audit<Space>::take(const Stepper<Space>& state, double dt) {
 }
 
 template <class Space>
+double Audit<Space>::solid_error_of(double mass) const {
+  return solid_at_start_ > 0 ? std::abs(mass / solid_at_start_ - 1) : 0;
+}
+
+template <class Space>
 double Audit<Space>::solid_mass_error(const Stepper<Space>& state) const {
-  return solid_at_start_ > 0 ? std::abs(sum_by_id(state.soil.id, state.soil.mass) / solid_at_start_ - 1) : 0;
+  return solid_error_of(sum_by_id(state.soil.id, state.soil.mass));
+}
+
+template <class Space>
+double Audit<Space>::water_error_of(double stored) const {
+  return water_at_start_ > 0 ? std::abs(stored - water_at_start_ - water_in + water_out) / water_at_start_ : 0;
 }
 
 template <class Space>
 double Audit<Space>::water_balance_error(const Stepper<Space>& state) const {
-  if (water_at_start_ <= 0) return 0;
-  const double stored = sum_by_id(state.water.id, state.water.volume);
-  return std::abs(stored - water_at_start_ - water_in + water_out) / water_at_start_;
+  return water_error_of(sum_by_id(state.water.id, state.water.volume));
 }
 
 template <class Space>
-double Audit<Space>::flux_balance_error() const {
-  double worst = 0;
+FluxError Audit<Space>::worst_flux() const {
+  FluxError worst;
   for (const auto& section : sections_) {
     const double scale = std::max(section.most, 1e-3 * water_at_start_);
-    if (scale > 0) worst = std::max(worst, std::abs(section.passed_before - section.moved) / scale);
+    if (scale <= 0) continue;
+    const double error = std::abs(section.passed_before - section.moved) / scale;
+    if (error > worst.error)
+      worst = {error, section.axis, section.face * spacing_[section.axis],
+               water_at_start_ > 0 ? section.most / water_at_start_ : 1};
   }
   return worst;
 }

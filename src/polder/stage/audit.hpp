@@ -9,6 +9,14 @@
 
 namespace polder {
 
+/// Of a section: |∫ flux dt − change of the points' volume beyond it| / largest volume that has passed.
+struct FluxError {
+  double error = 0;
+  int axis = 0;
+  double at = 0;      ///< m, on that axis
+  double passed = 0;  ///< that volume over all water at the start
+};
+
 template <class Space>
 class Audit {
  public:
@@ -23,7 +31,12 @@ class Audit {
   double water_balance_error(const Stepper<Space>& state) const;  ///< (stored − initial − in + out)/initial
   /// |∫ flux dt − change of the points' volume beyond the section| / largest volume that has passed (at least a
   /// thousandth of all water), worst section.
-  double flux_balance_error() const;
+  double flux_balance_error() const { return worst_flux().error; }
+  FluxError worst_flux() const;
+
+  /// The errors that these sums over all points mean.
+  double solid_error_of(double mass) const;
+  double water_error_of(double stored) const;
 
   template <class Archive>
   void each_state(Archive&& archive) {
@@ -64,6 +77,7 @@ class Audit {
   double water_beyond(const Stepper<Space>& state, const Section& section) const;
 
   std::vector<Section> sections_;
+  std::array<double, 3> spacing_{1, 1, 1};
   double solid_at_start_ = 0, water_at_start_ = 0;
 };
 

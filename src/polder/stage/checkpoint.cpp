@@ -153,6 +153,7 @@ OutputState restore_checkpoint(const std::string& bytes, Simulation<Space>& run,
   OutputState output;
   each_output(output, Reader{file.id});
   run.each_state(Reader{file.id});
+  if (const std::string flaw = run.flaw(); !flaw.empty()) throw CheckpointError("its state cannot be: " + flaw);
   run.restored();
   return output;
 }

@@ -9,6 +9,7 @@
 #include "polder/boundary/standing_walls.hpp"
 #include "polder/points/seed.hpp"
 #include "polder/stage/initial.hpp"
+#include "polder/stage/sound.hpp"
 
 namespace polder {
 
@@ -34,7 +35,7 @@ Stepper<Space> make_stepper(const Model& model, int threads) {
 
 template <class Space>
 Simulation<Space>::Simulation(const Model& model, int threads)
-    : model_(model), stepper_(make_stepper<Space>(model, threads)), audit_(model, stepper_) {
+    : model_(model), stepper_(make_stepper<Space>(model, threads)), audit_(model, stepper_), guards_(stepper_) {
   for (const Stage& stage : model_.stages)
     (stage.initial ? time_ : end_time_) += stage.initial ? -stage.duration : stage.duration;
   raise_walls();
@@ -70,6 +71,7 @@ StepReport Simulation<Space>::advance() {
   control.hold_water = stage.hold_water;
   if (stage.ramp > 0) control.gravity_factor = std::min(1.0, time_in_stage_ / stage.ramp);
 
+  guards_.before_step(stepper_, time_);
   const double natural = stepper_.natural_step();
   double dt = std::min(natural, to_next_gate());
   const double left = stage.duration - time_in_stage_;
@@ -85,30 +87,19 @@ StepReport Simulation<Space>::advance() {
   audit_.take(stepper_, dt);
   audit_.pressure_iterations += static_cast<std::uint64_t>(report.pressure.iterations);
   audit_.volume_iterations += static_cast<std::uint64_t>(report.volume.iterations);
-  check(report);
+  guards_.take(stepper_, audit_, report, time_, !stage.initial && stage.ramp <= 0);
   if (last) end_stage();
   raise_walls();
   return report;
 }
 
 template <class Space>
-void Simulation<Space>::check(const StepReport& report) const {
-  if (std::isfinite(stepper_.motion.speed) && std::isfinite(report.pressure.residual)) {
-    if (report.pressure.converged) return;
-    throw RunFailure(fmt::format(
-        "the pressure solve did not converge at t = {:.6g} s (step {}): residual {:.2e} after {} iterations", time_,
-        stepper_.step, report.pressure.residual, report.pressure.iterations));
-  }
-  const auto place = [&](const auto& points, const char* phase) {
-    for (std::size_t p = 0; p < points.size(); ++p)
-      for (int a = 0; a < Space::axes; ++a)
-        if (!std::isfinite(points.velocity[a][p]))
-          return fmt::format("; first at {} point {} near ({:.4g}, {:.4g})", phase, points.id[p], points.position[0][p],
-                             points.position[1][p]);
-    return std::string{};
-  };
-  throw RunFailure(fmt::format("a value is no longer finite at t = {:.6g} s (step {}){}{}", time_, stepper_.step,
-                               place(stepper_.soil, "soil"), place(stepper_.water, "water")));
+std::string Simulation<Space>::flaw() {
+  if (stage_ > model_.stages.size() || !std::isfinite(time_) || !std::isfinite(time_in_stage_))
+    return "its time is in no stage of the case";
+  if (!(stepper_.drift_soil >= 0) || !(stepper_.drift_water >= 0) || !(stepper_.motion.speed >= 0))
+    return "the drift or the speed of its points is not a number";
+  return flaw_of(stepper_, !stepper_.unsorted());
 }
 
 template <class Space>
@@ -124,6 +115,7 @@ void Simulation<Space>::end_stage() {
   soil.reference = soil.position;
   time_ = 0;
   audit_ = Audit<Space>(model_, stepper_);
+  guards_.begin_event(stepper_);
 }
 
 template <class Space>

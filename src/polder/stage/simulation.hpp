@@ -4,15 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "polder/stage/audit.hpp"
-#include "polder/step/stepper.hpp"
+#include "polder/stage/guards.hpp"
 
 namespace polder {
-
-/// A run that cannot go on: what, where and when.
-struct RunFailure : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 template <class Space>
 class Simulation {
@@ -37,10 +31,13 @@ class Simulation {
   void each_state(Archive&& archive) {
     stepper_.each_state(archive);
     audit_.each_state(archive);
+    guards_.each_state(archive);
     archive("stage", stage_);
     archive("time", time_);
     archive("time_in_stage", time_in_stage_);
   }
+  /// After each_state() has filled in values from a file: what would lead the next steps astray; empty: nothing.
+  std::string flaw();
   /// After each_state() has restored the values.
   void restored() {
     stepper_.restored();
@@ -50,16 +47,17 @@ class Simulation {
   Stepper<Space>& state() { return stepper_; }
   const Stepper<Space>& state() const { return stepper_; }
   const Audit<Space>& audit() const { return audit_; }
+  const Guards<Space>& guards() const { return guards_; }
 
  private:
   void end_stage();
   void raise_walls();
   double to_next_gate() const;
-  void check(const StepReport& report) const;
 
   Model model_;
   Stepper<Space> stepper_;
   Audit<Space> audit_;
+  Guards<Space> guards_;
   std::vector<bool> standing_;  ///< of the model's walls, in the stepper's set-up
   std::uint64_t stage_ = 0;
   double time_ = 0, end_time_ = 0, time_in_stage_ = 0;

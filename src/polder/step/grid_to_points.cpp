@@ -70,9 +70,10 @@ void stretch_boxes(double dt, const double* porosity, std::size_t first, int cou
   }
 }
 
-/// Moves points by `displacement` on axis a, held inside the phase's box.
+/// Moves points by `displacement` on axis a, held inside the phase's box; what is not a number ends at `low`, so that a
+/// run that has gone wrong stays inside its arrays until it is stopped.
 inline void move(double* x, const double* displacement, int count, double low, double high) {
-  for (int l = 0; l < count; ++l) x[l] = std::min(std::max(x[l] + displacement[l], low), high);
+  for (int l = 0; l < count; ++l) x[l] = std::min(std::max(low, x[l] + displacement[l]), high);
 }
 
 template <class Space>

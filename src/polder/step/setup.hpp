@@ -17,6 +17,9 @@
 
 namespace polder {
 
+/// Where the porosity of soil is held when its deformation would take it further.
+inline constexpr double least_porosity = 0.2, most_porosity = 0.98;
+
 struct SoilMaterial {
   std::shared_ptr<const SoilLaw> law;
   double grain_density = 2650;  ///< kg/m³

@@ -7,8 +7,6 @@ namespace polder {
 
 namespace {
 
-constexpr double least_porosity = 0.2, most_porosity = 0.98;
-
 /// What a step does to a chunk of points, before the law is asked.
 template <class Space>
 struct alignas(64) Increments {

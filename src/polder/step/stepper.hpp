@@ -33,6 +33,7 @@ class Stepper {
 
   /// After points were added, removed or moved from outside.
   void points_changed() { unsorted_ = true; }
+  bool unsorted() const { return unsorted_ != 0; }
 
   /// Everything that the next steps depend on, by name: archive(name, value or array). Restoring ends with restored().
   template <class Archive>
