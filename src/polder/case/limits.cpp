@@ -33,9 +33,27 @@ void check_line_limits(const Model& model, const Boundary& boundary, const Field
            "a line may hold the soil of one side");
 }
 
+/// The unsaturated formulation has its own step, which does not know everything that the double-point one does.
+void check_unsaturated_limits(const Sections& sections, const Model& model, Diagnostics& diagnostics) {
+  const auto refuse = [&](const Fields& f, std::string_view key, std::string_view what, std::string_view remedy) {
+    report(diagnostics, f.place_of(key), f.path_of(key),
+           fmt::format("{} not available in the unsaturated formulation yet", what), std::string(remedy));
+  };
+  if (!model.walls.empty()) refuse(sections.walls.front(), "line", "walls are", "leave them out");
+  if (!model.loads.empty()) refuse(sections.loads.front(), "pressure", "loads on the ground are", "leave them out");
+  if (!model.free_water.empty())
+    refuse(sections.free_water.front(), "box", "free water is",
+           "give the river's level as a head by a [[seepage_boundary]]");
+  for (std::size_t i = 0; i < model.boundaries.size(); ++i)
+    if (model.boundaries[i].water != WaterCondition::closed)
+      refuse(sections.boundaries[i], "water", "water conditions of a [[boundary]] are",
+             "give them by a [[seepage_boundary]]");
+}
+
 }  // namespace
 
 void check_limits(const Sections& sections, const Model& model, Diagnostics& diagnostics) {
+  if (model.unsaturated) check_unsaturated_limits(sections, model, diagnostics);
   int lines = 0;
   for (std::size_t i = 0; i < model.boundaries.size(); ++i) {
     const Boundary& b = model.boundaries[i];

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "polder/case/pore_water.hpp"
 #include "polder/material/drag.hpp"
 #include "polder/math/table.hpp"
 
@@ -138,6 +139,9 @@ struct Numerics {
   double volume_correction = 0.3;    ///< share of the fill error removed in a step
   bool split_water = true;
   double max_step = std::numeric_limits<double>::infinity();  ///< s
+  /// Unsaturated formulation: factor on the inertia, ≥ 1; and how many times the natural step a step may have while the
+  /// ground is at rest, ≥ 1 (soil too stiff for it gets more inertia).
+  double mass_scaling = 1, step_stretch = 1;
   unsigned long long seed = 1;
   double jitter = 0;  ///< seeding jitter as a share of the points' spacing
 };
@@ -157,6 +161,13 @@ struct Model {
   std::vector<Point2> water_table;  ///< polyline (x, height); soil below it starts saturated; empty: all soil dry
   /// Pore water of soil carried by the soil points (single-point) instead of by water points of its own.
   bool single_point = false;
+  /// Single-point, and the pores may hold air: water by the retention curves, Bishop's effective stress. The suction
+  /// above the water table is hydrostatic, up to `suction_limit` (Pa) at the start.
+  bool unsaturated = false;
+  double suction_limit = std::numeric_limits<double>::infinity();
+  std::vector<MaterialRetention> retentions;    ///< of the unsaturated formulation; a material without one: S = 1
+  std::vector<SeepageCondition> pore_water;     ///< likewise, along lines of the outline; else: base and sides closed,
+                                                ///< a seepage face on the ground
   InitialStress initial_stress = InitialStress::k0;
   std::optional<double> k0;  ///< absent: 1 − sin φ' (Jaky) where the law has an angle, else ν/(1 − ν)
   std::vector<Boundary> boundaries;

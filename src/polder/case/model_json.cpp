@@ -103,6 +103,27 @@ Json stage_json(const Stage& s) {
           {"hold_water", s.hold_water}};
 }
 
+/// What the curves are, as numbers: enough to tell two cases apart.
+Json retention_json(const MaterialRetention& r) {
+  Json json{{"material", r.material}, {"model", r.retention.index()}, {"conductivity", r.curve.index()}};
+  if (const auto* v = std::get_if<LinearRetention>(&r.retention)) json["numbers"] = {v->slope, v->residual};
+  if (const auto* v = std::get_if<VanGenuchtenRetention>(&r.retention))
+    json["numbers"] = {v->entry_pressure, v->lambda, v->residual, v->maximum};
+  if (const auto* v = std::get_if<GardnerRetention>(&r.retention)) json["numbers"] = {v->rate, v->residual, v->maximum};
+  if (const auto* v = std::get_if<TableRetention>(&r.retention)) json["numbers"] = {v->saturation.x, v->saturation.y};
+  if (const auto* v = std::get_if<MualemConductivity>(&r.curve)) json["conducts"] = {v->exponent, v->lambda};
+  if (const auto* v = std::get_if<HillelConductivity>(&r.curve)) json["conducts"] = {v->exponent};
+  if (const auto* v = std::get_if<GardnerConductivity>(&r.curve)) json["conducts"] = {v->rate};
+  if (const auto* v = std::get_if<TableConductivity>(&r.curve)) json["conducts"] = {v->relative.x, v->relative.y};
+  return json;
+}
+
+Json condition_json(const SeepageCondition& c) {
+  Json json{{"name", c.name}, {"condition", c.kind}, {"line", c.line}, {"rate", {c.rate.x, c.rate.y}}, {"head", {c.head.x, c.head.y}}};
+  if (c.head_at_end) json["head_at_end"] = {c.head_at_end->x, c.head_at_end->y};
+  return json;
+}
+
 Json monitor_json(const Monitor& m) {
   Json json{{"name", m.name}, {"kind", word("monitor", "kind", static_cast<int>(m.kind))}, {"quantity", m.quantity}};
   if (!m.at.empty()) json["at"] = m.at;
@@ -125,7 +146,9 @@ Json case_json(const Model& model) {
                    {"cell", per_axis(model.cell)},
                    {"gravity", model.gravity},
                    {"points_per_axis", model.points_per_axis},
-                   {"formulation", model.single_point ? "single-point" : "double-point"}};
+                   {"formulation", model.unsaturated    ? "unsaturated"
+                                   : model.single_point ? "single-point"
+                                                        : "double-point"}};
   json["water"] = {{"density", model.water.density},
                    {"bulk_modulus", model.water.bulk_modulus},
                    {"viscosity", model.water.viscosity}};
@@ -142,6 +165,13 @@ Json case_json(const Model& model) {
     json["free_water"].push_back(with_name(region_json(w.region), w.name));
   json["initial"] = {{"water_table", model.water_table},
                      {"stress", word("initial", "stress", static_cast<int>(model.initial_stress))}};
+  if (model.unsaturated) {
+    json["initial"]["suction_limit"] = number(model.suction_limit);
+    json["retention"] = Json::array();
+    for (const MaterialRetention& r : model.retentions) json["retention"].push_back(retention_json(r));
+    json["seepage_boundary"] = Json::array();
+    for (const SeepageCondition& c : model.pore_water) json["seepage_boundary"].push_back(condition_json(c));
+  }
   if (model.k0) json["initial"]["k0"] = *model.k0;
   json["boundary"] = Json::array();
   for (const Boundary& b : model.boundaries) json["boundary"].push_back(boundary_json(b));
@@ -167,6 +197,10 @@ Json case_json(const Model& model) {
                       {"max_step", number(n.max_step)},
                       {"jitter", n.jitter},
                       {"seed", n.seed}};
+  if (model.unsaturated) {
+    json["numerics"]["mass_scaling"] = n.mass_scaling;
+    json["numerics"]["step_stretch"] = n.step_stretch;
+  }
   return json;
 }
 

@@ -36,7 +36,8 @@ void read_model(const Fields& f, Model& model, Diagnostics& diagnostics) {
   model.title = f.text("title");
   model.space = f.text("space") == "3d" ? SpaceKind::solid : SpaceKind::plane_strain;
   model.gravity = f.number("gravity", model.gravity);
-  model.single_point = f.text("formulation") == "single-point";
+  model.unsaturated = f.text("formulation") == "unsaturated";
+  model.single_point = model.unsaturated || f.text("formulation") == "single-point";
   model.points_per_axis = static_cast<int>(f.number("points_per_axis", model.points_per_axis));
   const std::size_t axes = model.space == SpaceKind::solid ? 3 : 2;
   const std::string form = axes == 3 ? "[width, depth, height]" : "[width, height]";
@@ -241,6 +242,7 @@ void read_initial(const Fields& f, Model& model) {
   static constexpr InitialStress states[] = {InitialStress::k0, InitialStress::gravity, InitialStress::none};
   model.water_table = points2(f.find("water_table"));
   if (const Entry* stress = f.find("stress")) model.initial_stress = states[static_cast<std::size_t>(stress->number)];
+  model.suction_limit = f.number("suction_limit", model.suction_limit);
   if (const Entry* k0 = f.find("k0")) model.k0 = k0->number;
 }
 
@@ -261,6 +263,8 @@ void read_numerics(const Fields& f, Numerics& numerics) {
   numerics.pressure_weight = f.number("pressure_weight", numerics.pressure_weight);
   numerics.split_water = f.flag("split_water");
   numerics.max_step = f.number("max_step", numerics.max_step);
+  numerics.mass_scaling = f.number("mass_scaling", numerics.mass_scaling);
+  numerics.step_stretch = f.number("step_stretch", numerics.step_stretch);
   numerics.jitter = f.number("jitter", numerics.jitter);
   numerics.seed = static_cast<unsigned long long>(f.number("seed", static_cast<double>(numerics.seed)));
 }
@@ -315,6 +319,10 @@ ReadResult read_case(const std::string& path, const std::vector<std::string>& ov
   read_output(sections.output, model.output);
   read_numerics(sections.numerics, model.numerics);
   result.seepage = read_seepage(sections, model, diagnostics);
+  if (model.unsaturated) {
+    model.retentions = result.seepage.retentions;
+    model.pore_water = result.seepage.conditions;
+  }
   result.stability = read_stability(sections, model, diagnostics);
   check_model(sections, model, diagnostics);
   check_limits(sections, model, diagnostics);

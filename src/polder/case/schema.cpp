@@ -73,10 +73,11 @@ std::vector<Key> make_keys() {
        "Acceleration of gravity, downwards; more than 9.81 m/s2 in a centrifuge."},
       {"model", "points_per_axis", "", "count", false, "2", 1, 8, "2",
        "Soil and water points per cell along each axis at the start."},
-      {"model", "formulation", "", "choice:double-point|single-point", false, "double-point", any, infinity,
-       R"("double-point")",
-       "Water in the pores of soil: on water points of its own, or carried by the soil points (saturated soil that "
-       "drains to its surface; no exchange with free water)."},
+      {"model", "formulation", "", "choice:double-point|single-point|unsaturated", false, "double-point", any,
+       infinity, R"("double-point")",
+       "Water in the pores of soil: on water points of its own, or carried by the soil points: `single-point` (saturated "
+       "soil that drains to its surface; no exchange with free water) or `unsaturated` (pores may hold air: "
+       "`[[retention]]`, Bishop's effective stress, conditions by `[[seepage_boundary]]`)."},
       // ---- water
       {"water", "density", "ρw", "density", false, "1000 kg/m3", 500, 2000, R"("1000 kg/m3")", "Density."},
       {"water", "bulk_modulus", "Kw", "pressure", false, "2.2 GPa", 1e4, 1e11, R"("2.2 GPa")",
@@ -139,6 +140,9 @@ std::vector<Key> make_keys() {
       {"initial", "water_table", "", "polyline", false, "", any, infinity, R"([["1.8 m", "0.8 m"], ["3.8 m", "0 m"]])",
        "Phreatic line in the soil, [x, height] from left to right; it goes on level beyond its ends. Soil below it is "
        "saturated at the start, soil above it is dry. Left out: all soil is dry."},
+      {"initial", "suction_limit", "s", "pressure", false, "", 0, infinity, R"("50 kPa")",
+       "Unsaturated formulation: the suction above the water table is hydrostatic up to this value. Left out: all the "
+       "way up."},
       {"initial", "stress", "σ'", "choice:k0|gravity|none", false, "k0", any, infinity, R"("k0")",
        "Effective stress at the start: from the weight above and K0 (level ground), by raising gravity (in an initial "
        "stage), or none."},
@@ -204,7 +208,8 @@ std::vector<Key> make_keys() {
       {"stage", "local_damping", "α", "ratio", false, "0", 0, 1, "0.7",
        "Local damping as a share of the soil's out-of-balance force (Cundall)."},
       {"stage", "hold_water", "", "flag", false, "false", any, infinity, "false",
-       "Water does not move horizontally, so that a level difference can wait for the next stage."},
+       "Water does not move horizontally, so that a level difference can wait for the next stage; in the unsaturated "
+       "formulation pore pressures stay as they are."},
       // ---- monitor
       {"monitor", "name", "", "name", true, "", any, infinity, R"("toe")", "Heads its column of history.csv."},
       {"monitor", "kind", "", "choice:point|section|surface|integral", false, "point", any, infinity, R"("point")",
@@ -212,11 +217,13 @@ std::vector<Key> make_keys() {
       {"monitor", "quantity", "",
        "choice:pressure|porosity|velocity|displacement|effective-stress|water-velocity|discharge|water-surface|"
        "soil-surface|water-volume|soil-volume|kinetic-energy|settlement|largest-porosity|excess-pressure|wedge-angle|"
-       "largest-uplift|eroded-area|water-front|soil-front",
+       "largest-uplift|eroded-area|water-front|soil-front|total-stress|saturation|uplift-length",
        true, "", any, infinity, R"("displacement")",
        "What is recorded. At a point: pressure, excess-pressure (over the initial water table), porosity, velocity, "
        "displacement, effective-stress, water-velocity, wedge-angle (of the soil that is lifted over an opening whose "
-       "edge the point is); through a section: discharge, pressure; of a surface: water-surface, soil-surface; over a "
+       "edge the point is), in the unsaturated formulation total-stress (vertical, of the row of cells above the place, "
+       "down to it) and saturation; through a section: discharge, pressure, uplift-length (of the row of cells on the "
+       "line, where the mean vertical effective stress is below 2 kPa); of a surface: water-surface, soil-surface; over a "
        "region: water-volume, soil-volume, kinetic-energy, settlement (mean, of the soil that was there at the start), "
        "largest-porosity, largest-uplift, eroded-area, water-front, soil-front."},
       {"monitor", "at", "", "points", false, "", any, infinity, R"([["3.5 m", "0.2 m"]])",
@@ -252,6 +259,12 @@ std::vector<Key> make_keys() {
        "Split water points that have stretched on entering soil."},
       {"numerics", "max_step", "Δt", "time", false, "", 1e-12, 3.2e9, R"("1e-3 s")",
        "Upper bound of the time step. Left out: only what stability asks for."},
+      {"numerics", "mass_scaling", "F", "ratio", false, "1", 1, 1e8, "100",
+       "Unsaturated formulation: factor on the soil's inertia (not on its weight), which lengthens the step by its "
+       "root."},
+      {"numerics", "step_stretch", "", "ratio", false, "1", 1, 1e5, "1000",
+       "Unsaturated formulation: how many times the natural step a step may have while the ground is at rest. Soil too "
+       "stiff for it gets as much more inertia as it needs; where the ground runs, steps are natural again."},
       {"numerics", "jitter", "", "ratio", false, "0", 0, 0.5, "0",
        "Random displacement of the points at the start, as a share of their spacing."},
       {"numerics", "seed", "", "count", false, "1", 0, 9007199254740992.0, "1", "Of the random numbers."},

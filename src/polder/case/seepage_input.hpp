@@ -6,28 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "polder/case/model.hpp"
-#include "polder/material/retention.hpp"
+#include "polder/case/pore_water.hpp"
 
 namespace polder {
-
-/// Retention and relative conductivity of one of the case's materials.
-struct MaterialRetention {
-  std::string material;
-  Retention retention = VanGenuchtenRetention{};
-  ConductivityCurve curve = MualemConductivity{};
-};
-
-/// Along the part of the soil's outline that lies on `line`; it takes the place of what the model says there.
-struct SeepageCondition {
-  enum class Kind { closed, head, seepage, rain };
-  std::string name;
-  Kind kind = Kind::head;
-  std::vector<Point2> line;
-  Table head;                        ///< m, by time (s)
-  std::optional<Table> head_at_end;  ///< m, at the line's last point; absent: the same along the line
-  double rate = 0;                   ///< m/s, of rain, normal to the outline
-};
 
 enum class SeepageStart { water_table, steady };
 

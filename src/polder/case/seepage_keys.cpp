@@ -49,8 +49,8 @@ std::vector<Key> seepage_keys() {
        "Total head above y = 0, one value or a table by time."},
       {"seepage_boundary", "head_at_end", "", "table of length", false, "", any, infinity, R"("0.5 m")",
        "Head at the line's last point, linear in between. Left out: the same along the line."},
-      {"seepage_boundary", "rate", "", "permeability", false, "0 m/s", any, infinity, R"("5e-8 m/s")",
-       "Of rain, normal to the outline; negative: evaporation."},
+      {"seepage_boundary", "rate", "", "table of velocity", false, "", any, infinity, R"("5e-8 m/s")",
+       "Of rain, normal to the outline, one value or a table by time; negative: evaporation. Left out: none."},
   };
 }
 

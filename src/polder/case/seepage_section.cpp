@@ -50,7 +50,7 @@ SeepageCondition read_condition(const Fields& f, std::size_t number, Diagnostics
   if (out.kind == Kind::head) need(f, "head", diagnostics);
   if (const Entry* head = f.find("head")) out.head = head->table;
   if (const Entry* head = f.find("head_at_end")) out.head_at_end = head->table;
-  out.rate = f.number("rate");
+  if (const Entry* rate = f.find("rate"); rate && !rate->table.y.empty()) out.rate = rate->table;
   return out;
 }
 

@@ -54,6 +54,7 @@ struct SoilPoints {
   std::array<Array, axes> reference;        ///< m, position from which displacement counts
   Array mass;                               ///< kg of grains
   Array porosity;
+  Array water;  ///< m³ in its pores, as at no pressure (unsaturated formulation)
   Array deviatoric_strain;                             ///< ∫ √(2/3 ė:ė) dt
   std::array<Array, StressBatch<4>::max_state> state;  ///< the law's; [0]: plastic shear strain
   AlignedVector<std::uint64_t> id;
@@ -75,6 +76,7 @@ struct SoilPoints {
     detail::each_of("state", state, body);
     body("mass", 0, mass);
     body("porosity", 0, porosity);
+    body("water", 0, water);
     body("deviatoric_strain", 0, deviatoric_strain);
     body("id", 0, id);
     body("home", 0, home);

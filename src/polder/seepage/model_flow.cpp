@@ -85,7 +85,7 @@ FlowBoundary boundary_of(const SeepageCondition& given) {
                                                   : FlowCondition::seepage;
   boundary.head = given.head;
   boundary.head_at_end = given.head_at_end;
-  boundary.rate = Table::constant(given.rate);
+  boundary.rate = given.rate;
   return boundary;
 }
 

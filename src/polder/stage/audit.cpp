@@ -21,10 +21,20 @@ double sum_by_id(const AlignedVector<std::uint64_t>& id, const Array& value) {
   return sum;
 }
 
+namespace {
+
+/// Water in the model, m³: of the water points and, in the unsaturated formulation, in the soil points' pores.
+template <class Space>
+double stored_water(const Stepper<Space>& state) {
+  return sum_by_id(state.water.id, state.water.volume) + sum_by_id(state.soil.id, state.soil.water);
+}
+
+}  // namespace
+
 template <class Space>
 Audit<Space>::Audit(const Model& model, const Stepper<Space>& state) {
   solid_at_start_ = sum_by_id(state.soil.id, state.soil.mass);
-  water_at_start_ = sum_by_id(state.water.id, state.water.volume);
+  water_at_start_ = stored_water(state);
   const auto& lattice = state.setup.lattice;
   spacing_ = lattice.spacing;
   for (const auto& boundary : model.boundaries) {
@@ -131,7 +141,7 @@ double Audit<Space>::water_error_of(double stored) const {
 
 template <class Space>
 double Audit<Space>::water_balance_error(const Stepper<Space>& state) const {
-  return water_error_of(sum_by_id(state.water.id, state.water.volume));
+  return water_error_of(stored_water(state));
 }
 
 template <class Space>

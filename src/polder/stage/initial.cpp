@@ -63,7 +63,8 @@ double deepest_pressure(const Model& model) {
   return density * model.gravity * height;
 }
 
-/// K0 = 1 − sin φ' (Jaky) where the law has an angle of friction, else ν/(1 − ν).
+}  // namespace
+
 double earth_pressure_at_rest(const MaterialInput& material) {
   const LawDescription* law = find_soil_law(material.law);
   double nu = 0.3, phi = 0;
@@ -72,6 +73,16 @@ double earth_pressure_at_rest(const MaterialInput& material) {
     if (law->parameters[k].key == "friction_angle") phi = material.law_parameters[k];
   }
   return phi > 0 ? 1 - std::sin(phi) : nu / (1 - nu);
+}
+
+namespace {
+
+PoreSpace pore_space(const Model& model, const MaterialInput& material, const SoilLaw& law, double deepest) {
+  PoreSpace pores;
+  pores.modulus = law.constrained_modulus(deepest);
+  for (const MaterialRetention& given : model.retentions)
+    if (given.material == material.name) pores.retention = given.retention, pores.curve = given.curve;
+  return pores;
 }
 
 }  // namespace
@@ -87,6 +98,10 @@ Setup<Space> make_setup(const Model& model) {
   setup.gravity = model.gravity;
   setup.points_per_axis = model.points_per_axis;
   setup.single_point = model.single_point;
+  setup.unsaturated = model.unsaturated;
+  setup.pore_water = model.pore_water;
+  setup.water_table = model.water_table;
+  setup.suction_limit = model.suction_limit;
   setup.reservoirs = make_reservoirs(model, setup.lattice);
 
   for (PhaseBox* box : {&setup.soil_box, &setup.water_box})
@@ -144,6 +159,7 @@ Setup<Space> make_setup(const Model& model) {
           std::sqrt(material.law->constrained_modulus(pressure) / ((1 - input.porosity) * input.grain_density));
       setup.soil_step = std::min(setup.soil_step, model.numerics.cfl * h / speed);
     }
+    if (model.unsaturated) setup.pores.push_back(pore_space(model, input, *material.law, pressure));
     setup.materials.push_back(std::move(material));
   }
   return setup;

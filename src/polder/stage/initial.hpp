@@ -10,6 +10,9 @@ namespace polder {
 template <class Space>
 Setup<Space> make_setup(const Model& model);
 
+/// K0 = 1 − sin φ' (Jaky) where the law has an angle of friction, else ν/(1 − ν).
+double earth_pressure_at_rest(const MaterialInput& material);
+
 /// Vertical effective stress from the weight of the grains above (submerged below the water table), horizontal stress
 /// by K0: exact for level and layered ground.
 template <class Space>

@@ -10,6 +10,7 @@
 #include "polder/points/seed.hpp"
 #include "polder/stage/initial.hpp"
 #include "polder/stage/sound.hpp"
+#include "polder/stage/unsaturated_start.hpp"
 
 namespace polder {
 
@@ -20,7 +21,10 @@ Stepper<Space> make_stepper(const Model& model, int threads) {
   Setup<Space> setup = make_setup<Space>(model);
   SeededPoints<Space> points = seed_points<Space>(model, setup.lattice);
   mark_loaded_points(model, setup.lattice, points.soil);
-  if (model.initial_stress == InitialStress::k0) set_k0_stress(model, setup, points.soil);
+  if (model.initial_stress == InitialStress::k0 && model.unsaturated)
+    set_unsaturated_k0_stress(model, setup, points.soil);
+  else if (model.initial_stress == InitialStress::k0)
+    set_k0_stress(model, setup, points.soil);
   for (std::size_t p = 0; p < points.soil.size(); ++p) {
     std::array<double, StressBatch<4>::max_state> state{};
     const double mean = -(points.soil.stress[0][p] + points.soil.stress[1][p] + points.soil.stress[2][p]) / 3;
@@ -107,6 +111,7 @@ void Simulation<Space>::end_stage() {
   const bool was_initial = model_.stages[stage_].initial;
   ++stage_;
   time_in_stage_ = 0;
+  if (stepper_.unsaturated) stepper_.unsaturated->begin_stage();
   if (!was_initial || (!finished() && model_.stages[stage_].initial)) return;
   auto& soil = stepper_.soil;
   for (auto& v : soil.velocity) std::fill(v.begin(), v.end(), 0.0);
@@ -120,6 +125,7 @@ void Simulation<Space>::end_stage() {
 
 template <class Space>
 double Simulation<Space>::pressure_at(const std::array<double, 3>& x) const {
+  if (stepper_.unsaturated) return stepper_.unsaturated->pressure_at(stepper_.setup, stepper_.grid, x);
   const auto cell = cell_of(stepper_.setup.lattice, x);
   return stepper_.grid.pressure[stepper_.setup.lattice.index(cell[0], cell[1], cell[2])];
 }

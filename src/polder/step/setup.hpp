@@ -29,6 +29,14 @@ struct SoilMaterial {
   bool fixed = false;  ///< grains do not move
 };
 
+/// How the pores of a material hold and conduct water under suction, and how stiff its grains are (unsaturated
+/// formulation).
+struct PoreSpace {
+  Retention retention = LinearRetention{};
+  ConductivityCurve curve = ConstantConductivity{};
+  double modulus = 0;  ///< Pa, of the drained P-wave
+};
+
 template <class Space>
 struct Setup {
   Lattice<Space> lattice;
@@ -44,6 +52,11 @@ struct Setup {
   double gravity = 9.81;      ///< m/s²
   int points_per_axis = 2;    ///< of a full cell at the start
   bool single_point = false;  ///< soil points carry the water of their pores
+  bool unsaturated = false;   ///< likewise, and their pores may hold air
+  std::vector<PoreSpace> pores;                ///< of the materials; unsaturated formulation
+  std::vector<SeepageCondition> pore_water;    ///< along lines of the outline; likewise
+  std::vector<std::array<double, 2>> water_table;  ///< at the start, (x, height) in m; likewise
+  double suction_limit = 1e300;                ///< Pa, above the water table at the start; likewise
   bool anisotropic = false;   ///< some material drains differently in the vertical
   double soil_step = 1e300;   ///< s, CFL limit of the drained P-wave
 

@@ -39,10 +39,16 @@ Stepper<Space>::Stepper(Setup<Space> setup_, SoilPoints<Space> soil_, WaterPoint
       grid(setup.lattice),
       next_water_id(water.size()),
       team(threads),
-      solver_(setup.lattice) {}
+      solver_(setup.lattice) {
+  if (setup.unsaturated) unsaturated = std::make_unique<UnsaturatedStep<Space>>(setup, soil, grid);
+}
 
 template <class Space>
 double Stepper<Space>::natural_step() const {
+  if (unsaturated) {
+    const double dt = std::min(setup.numerics.max_step, unsaturated->natural_step(setup));
+    return motion.speed > 0 ? std::min(dt, point_cfl / motion.speed) : dt;
+  }
   double dt = std::min(setup.numerics.max_step, soil.size() > 0 ? setup.soil_step : 1e300);
   if (setup.gravity > 0 && (water.size() > 0 || setup.single_point))
     dt = std::min(dt, surface_cfl * std::sqrt(setup.lattice.smallest_spacing() / setup.gravity));
@@ -95,7 +101,24 @@ void Stepper<Space>::resample() {
 }
 
 template <class Space>
+StepReport Stepper<Space>::advance_unsaturated(const StepControl& control, double dt) {
+  StepReport report;
+  report.dt = dt;
+  Stopwatch watch;
+  prepare();
+  watch.lap(times.sort);
+  exchanged.clear();
+  report.pressure =
+      unsaturated->advance(setup, control, dt, soil_tiling_, soil, grid, solver_, team, motion, exchanged);
+  drift_soil += motion.drift;
+  ++step;
+  watch.lap(times.pressure);
+  return report;
+}
+
+template <class Space>
 StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
+  if (unsaturated) return advance_unsaturated(control, dt);
   StepReport report;
   report.dt = dt;
   Stopwatch watch;

@@ -1,5 +1,6 @@
 #pragma once
 // One time step of the double-point formulation, and the state it works on. docs/theory.md has the equations.
+#include <memory>
 #include <string>
 
 #include "polder/points/tiles.hpp"
@@ -8,6 +9,7 @@
 #include "polder/step/projection.hpp"
 #include "polder/step/reservoirs.hpp"
 #include "polder/step/setup.hpp"
+#include "polder/step/unsaturated_step.hpp"
 
 namespace polder {
 
@@ -47,6 +49,7 @@ class Stepper {
     if (!setup.open_sides.empty()) archive("grid/owed", grid.owed);
     if (setup.single_point)
       for (int c = 0; c < Space::axes; ++c) archive("grid/discharge" + std::to_string(c), grid.discharge[c]);
+    if (unsaturated) unsaturated->each_state(archive);
     archive("step", step);
     archive("next_water_id", next_water_id);
     archive("speed", motion.speed);
@@ -65,6 +68,7 @@ class Stepper {
   Motion motion;                           ///< of the last step
   double drift_water = 0, drift_soil = 0;  ///< cells, since the last sort
   std::vector<Exchange> exchanged;         ///< with reservoirs, in the last step
+  std::unique_ptr<UnsaturatedStep<Space>> unsaturated;  ///< of that formulation
   StepTimes times;
   Team team;
 
@@ -72,6 +76,7 @@ class Stepper {
   void sort_water();
   void prepare();  // sorts what has drifted and finds the active rows
   void resample();
+  StepReport advance_unsaturated(const StepControl& control, double dt);
 
   Tiling<Space> soil_tiling_, water_tiling_;
   PressureSolver<Space> solver_;

@@ -34,7 +34,7 @@ std::span<const Problem> problems() {
   static const std::vector<Problem> all = [] {
     std::vector<Problem> list;
     for (auto* family : {rest_problems, dam_break_problems, consolidation_problems, wave_problems, seepage_problems,
-                         sheet_pile_problems, fluidisation_problems, element_problems})
+                         sheet_pile_problems, fluidisation_problems, element_problems, infiltration_problems})
       for (Problem& problem : family()) list.push_back(std::move(problem));
     return list;
   }();

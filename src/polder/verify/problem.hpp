@@ -68,5 +68,6 @@ std::vector<Problem> element_problems();
 std::vector<Problem> consolidation_problems();
 std::vector<Problem> fluidisation_problems();
 std::vector<Problem> wave_problems();
+std::vector<Problem> infiltration_problems();
 
 }  // namespace polder::verify

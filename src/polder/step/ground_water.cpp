@@ -1,0 +1,160 @@
+#include "polder/step/ground_water.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polder {
+
+namespace {
+
+constexpr double least_top = 0.05;  // of a cell's volume: soil that makes it the uppermost of its column
+
+/// Columns of cells, numbered along the horizontal axes; body(number, x in m, lowest cell).
+template <class Space, class Body>
+void over_columns(const Lattice<Space>& lattice, Body&& body) {
+  const int deep = Space::axes == 3 ? lattice.cells[1] : 1;
+  for (int j = 0; j < deep; ++j)
+    for (int i = 0; i < lattice.cells[0]; ++i)
+      body(static_cast<std::size_t>(j * lattice.cells[0] + i), (i + 0.5) * lattice.spacing[0],
+           Space::axes == 3 ? lattice.index(i, j, 0) : lattice.index(i, 0));
+}
+
+struct Surface {
+  int level = -1;     ///< of the uppermost cell with soil; −1: none
+  double height = 0;  ///< m
+};
+
+template <class Space>
+Surface surface_of(const Lattice<Space>& lattice, const Array& bulk, std::ptrdiff_t lowest) {
+  Surface top;
+  for (int level = 0; level < lattice.cells[Space::up]; ++level) {
+    const double v = bulk[lowest + level * lattice.stride[Space::up]];
+    top.height += v / lattice.face_area(Space::up);
+    if (v > least_top * lattice.cell_volume()) top.level = level;
+  }
+  return top;
+}
+
+/// How far along the line (0 at its first point, 1 at its last) x is, of a part that is not upright; < 0 beside it. Also
+/// the line's height there and its length by a unit of x.
+struct OnLine {
+  double share = -1, height = 0, stretch = 1;
+};
+OnLine on_line(const std::vector<std::array<double, 2>>& line, double x) {
+  double length = 0;
+  for (std::size_t i = 1; i < line.size(); ++i)
+    length += std::hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]);
+  double passed = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double dx = line[i][0] - line[i - 1][0], dy = line[i][1] - line[i - 1][1], part = std::hypot(dx, dy);
+    const double t = dx != 0 ? (x - line[i - 1][0]) / dx : -1;
+    if (t >= 0 && t <= 1) return {(passed + t * part) / length, line[i - 1][1] + t * dy, part / std::abs(dx)};
+    passed += part;
+  }
+  return {};
+}
+
+double head_of(const SeepageCondition& condition, double time, double share) {
+  const double first = condition.head(time);
+  return condition.head_at_end ? first + share * ((*condition.head_at_end)(time)-first) : first;
+}
+
+}  // namespace
+
+template <class Space>
+std::vector<int> ground_conditions(const Setup<Space>& setup, const SoilPoints<Space>& soil) {
+  const auto& lattice = setup.lattice;
+  Array bulk = lattice.make_array();
+  for (std::size_t p = 0; p < soil.size(); ++p) {
+    std::array<double, 3> x{0, 0, 0};
+    for (int a = 0; a < Space::axes; ++a) x[a] = soil.position[a][p];
+    const auto cell = cell_of(lattice, x);
+    bulk[lattice.index(cell[0], cell[1], cell[2])] +=
+        soil.mass[p] / (setup.materials[soil.material[p]].grain_density * (1 - soil.porosity[p]));
+  }
+  std::vector<int> ground(static_cast<std::size_t>(lattice.cells[0] * (Space::axes == 3 ? lattice.cells[1] : 1)), -1);
+  over_columns(lattice, [&](std::size_t column, double x, std::ptrdiff_t lowest) {
+    const Surface top = surface_of(lattice, bulk, lowest);
+    double nearest = 1.5 * lattice.spacing[Space::up];
+    if (top.level < 0) return;
+    for (std::size_t i = 0; i < setup.pore_water.size(); ++i) {
+      const OnLine at = on_line(setup.pore_water[i].line, x);
+      if (at.share < 0 || std::abs(at.height - top.height) >= nearest) continue;
+      nearest = std::abs(at.height - top.height);
+      ground[column] = static_cast<int>(i);
+    }
+  });
+  return ground;
+}
+
+template <class Space>
+std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<int>& ground, double time, double gravity,
+                                 const PoreFields<Space>& pores) {
+  using Kind = SeepageCondition::Kind;
+  constexpr double unbounded = -std::numeric_limits<double>::infinity();
+  const auto& lattice = setup.lattice;
+  const double weight = setup.water.density * gravity, h = lattice.spacing[Space::up];
+  std::vector<PoreExit> exits;
+  // conductance of the way from a cell's centre to the outside at `distance` along `axis`
+  const auto way = [&](std::ptrdiff_t cell, int axis, double distance) {
+    return pores.relative[cell] * lattice.face_area(axis) / (pores.resistance[axis == Space::up][cell] * distance);
+  };
+  over_columns(lattice, [&](std::size_t column, double x, std::ptrdiff_t lowest) {
+    const Surface top = surface_of(lattice, pores.bulk, lowest);
+    if (top.level < 0) return;
+    const std::ptrdiff_t upper = lowest + top.level * lattice.stride[Space::up];
+    const double above = top.height - (top.level + 0.5) * h;  // of the ground over the cell's centre
+    const SeepageCondition* given = ground[column] >= 0 ? &setup.pore_water[ground[column]] : nullptr;
+    const Kind kind = given ? given->kind : Kind::seepage;
+    if (kind != Kind::closed) {
+      PoreExit exit{upper, way(upper, Space::up, std::max(above, 0.25 * h)), weight * above, 0};
+      const OnLine at = given ? on_line(given->line, x) : OnLine{};
+      if (kind == Kind::rain) exit.least = -given->rate(time) * at.stretch * lattice.face_area(Space::up);
+      if (kind == Kind::head) {
+        const double depth = head_of(*given, time, at.share) - top.height;
+        if (depth > 0) exit.level += weight * depth, exit.least = unbounded;
+      }
+      exits.push_back(exit);
+    }
+    for (const SeepageCondition& condition : setup.pore_water) {  // the base
+      const OnLine at = on_line(condition.line, x);
+      if (condition.kind == Kind::closed || at.share < 0 || at.height > 1e-6 * h || !pores.active[lowest]) continue;
+      const double head = head_of(condition, time, at.share);
+      const bool given_head = condition.kind == Kind::head;
+      exits.push_back({lowest, way(lowest, Space::up, 0.5 * h), given_head ? weight * (head - 0.5 * h) : -weight * 0.5 * h,
+                       given_head ? unbounded : 0});
+    }
+  });
+  // the two ends of the model
+  for (const SeepageCondition& condition : setup.pore_water) {
+    if (condition.line.empty() || condition.kind == Kind::closed || condition.kind == Kind::rain) continue;
+    const double x = condition.line.front()[0];
+    const bool upright = std::all_of(condition.line.begin(), condition.line.end(),
+                                     [&](const auto& p) { return std::abs(p[0] - x) < 1e-6 * lattice.spacing[0]; });
+    const bool left = x < 1e-6 * lattice.spacing[0], right = x > lattice.length(0) - 1e-6 * lattice.spacing[0];
+    if (!upright || (!left && !right)) continue;
+    double low = 1e300, high = -1e300;
+    for (const auto& p : condition.line) low = std::min(low, p[1]), high = std::max(high, p[1]);
+    const int deep = Space::axes == 3 ? lattice.cells[1] : 1, i = left ? 0 : lattice.cells[0] - 1;
+    for (int j = 0; j < deep; ++j)
+      for (int level = 0; level < lattice.cells[Space::up]; ++level) {
+        const double y = (level + 0.5) * h;
+        const std::ptrdiff_t cell = Space::axes == 3 ? lattice.index(i, j, level) : lattice.index(i, level);
+        if (y < low || y > high || !pores.active[cell] || pores.host[cell] >= 0) continue;
+        const double over = condition.kind == Kind::head ? head_of(condition, time, 0) - y : 0;
+        exits.push_back({cell, way(cell, 0, 0.5 * lattice.spacing[0]), weight * std::max(over, 0.0),
+                         over > 0 ? unbounded : 0});
+      }
+  }
+  return exits;
+}
+
+template std::vector<int> ground_conditions(const Setup<PlaneStrain>&, const SoilPoints<PlaneStrain>&);
+template std::vector<int> ground_conditions(const Setup<Solid>&, const SoilPoints<Solid>&);
+template std::vector<PoreExit> pore_exits(const Setup<PlaneStrain>&, const std::vector<int>&, double, double,
+                                          const PoreFields<PlaneStrain>&);
+template std::vector<PoreExit> pore_exits(const Setup<Solid>&, const std::vector<int>&, double, double,
+                                          const PoreFields<Solid>&);
+
+}  // namespace polder

@@ -1,0 +1,205 @@
+// The cells' side of pore_flow.hpp: what is in them and who stands for whom.
+#include <algorithm>
+#include <cmath>
+
+#include "polder/step/face_loop.hpp"
+#include "polder/step/pore_curves.hpp"
+#include "polder/step/pore_flow.hpp"
+
+namespace polder {
+
+namespace {
+
+constexpr double hardly = 1e-3;  // of a cell's volume: no soil
+
+/// Calls body(cell, place) for every cell of the lattice, from below upwards.
+template <class Space, class Body>
+void over_all_cells(const Lattice<Space>& lattice, Body&& body) {
+  for (std::ptrdiff_t row = 0; row < lattice.row_count(); ++row) {
+    const int j = static_cast<int>(row % lattice.cells[1]), k = static_cast<int>(row / lattice.cells[1]);
+    for (int i = 0; i < lattice.cells[0]; ++i) body(lattice.index(i, j, k), std::array<int, 3>{i, j, k});
+  }
+}
+
+template <class Space>
+bool inside(const Lattice<Space>& lattice, const std::array<int, 3>& place) {
+  for (int a = 0; a < Space::axes; ++a)
+    if (place[a] < 0 || place[a] >= lattice.cells[a]) return false;
+  return true;
+}
+
+/// Where soil is all around, two cells deep, a cell's own volume is the weight: sums over points would scatter as these
+/// cross cells.
+template <class Space>
+void smooth_weights(const Setup<Space>& setup, PoreFields<Space>& pores) {
+  const auto& lattice = setup.lattice;
+  const double volume = lattice.cell_volume();
+  std::vector<std::uint8_t> full(static_cast<std::size_t>(lattice.size), 0), next;
+  over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>&) {
+    full[cell] = pores.yielding[cell] > 0.9 * volume;
+  });
+  for (int a = 0; a < Space::axes; ++a) {
+    next = full;
+    over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
+      for (int d = -2; d <= 2; ++d)
+        if (place[a] + d >= 0 && place[a] + d < lattice.cells[a]) next[cell] &= full[cell + d * lattice.stride[a]];
+    });
+    full.swap(next);
+  }
+  for (auto& w : pores.weight)
+    over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>&) {
+      if (full[cell]) w[cell] = volume;
+    });
+}
+
+/// The nearest cell with soil: below, at the side, above.
+template <class Space>
+std::ptrdiff_t host_of(const Lattice<Space>& lattice, const PoreFields<Space>& pores, std::ptrdiff_t cell,
+                       const std::array<int, 3>& place) {
+  const double least = hardly * lattice.cell_volume();
+  for (int d = 1; d <= 3; ++d)
+    for (const int sign : {-1, 1})
+      for (int turn = 0; turn < Space::axes; ++turn) {
+        const int a = (Space::up + turn) % Space::axes;
+        std::array<int, 3> at = place;
+        at[a] += sign * d;
+        const std::ptrdiff_t other = cell + sign * d * lattice.stride[a];
+        if (inside(lattice, at) && pores.bulk[other] > least) return other;
+      }
+  return -1;
+}
+
+/// Faces that no soil's own strain reaches follow the next one that has some, along their axis.
+template <class Space>
+void choose_leaders(const Setup<Space>& setup, GridFields<Space>& grid, PoreFields<Space>& pores,
+                    const FaceField<Space>& raw) {
+  const auto& lattice = setup.lattice;
+  for (int c = 0; c < Space::axes; ++c) {
+    const std::ptrdiff_t s = lattice.stride[c];
+    const double least = 1e-6 * lattice.cell_volume();
+    auto& leader = pores.leader[c];
+    const auto borne = [&](std::ptrdiff_t f) {
+      return grid.soil_mass[c][f] > 0 && raw[c][f - s] + raw[c][f] > least;
+    };
+    const auto each = [&](auto&& body) {
+      std::array<int, 3> n{1, 1, 1};
+      for (int a = 0; a < Space::axes; ++a) n[a] = lattice.cells[a] + (a == c);
+      for (int k = 0; k < n[2]; ++k)
+        for (int j = 0; j < n[1]; ++j)
+          for (int i = 0; i < n[0]; ++i) body(lattice.index(i, j, k), i, j, k);
+    };
+    each([&](std::ptrdiff_t f, int i, int j, int k) {
+      leader[f] = static_cast<std::int8_t>(Leader::itself);
+      if (grid.soil_mass[c][f] <= 0 || borne(f)) return;
+      const int place = c == 0 ? i : c == 1 ? j : k;
+      leader[f] = static_cast<std::int8_t>(place > 0 && borne(f - s)                ? Leader::below
+                                           : place < lattice.cells[c] && borne(f + s) ? Leader::above
+                                                                                      : Leader::none);
+    });
+    each([&](std::ptrdiff_t f, int, int, int) {
+      const auto who = static_cast<Leader>(leader[f]);
+      if (who != Leader::below && who != Leader::above) return;
+      const std::ptrdiff_t to = who == Leader::below ? f - s : f + s;
+      for (auto* field : {&grid.soil_mass[c], &grid.soil_velocity[c], &grid.soil_force[c], &pores.held_mass[c]})
+        (*field)[to] += (*field)[f];
+    });
+  }
+}
+
+}  // namespace
+
+template <class Space>
+void prepare_cells(const Setup<Space>& setup, double gravity, GridFields<Space>& grid, PoreFields<Space>& pores) {
+  const auto& lattice = setup.lattice;
+  const double volume = lattice.cell_volume(), least = hardly * volume;
+  choose_leaders(setup, grid, pores, pores.weight);
+  smooth_weights(setup, pores);
+  const AlignedVector<std::uint8_t> before = pores.active;
+  over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
+    bool active = pores.bulk[cell] > least;
+    pores.host[cell] = -1;
+    if (active) {
+      for (auto& r : pores.resistance) r[cell] /= pores.bulk[cell];
+    } else {
+      for (const auto& w : pores.weight) active = active || w[cell] > least;
+      const std::ptrdiff_t host = active ? host_of(lattice, pores, cell, place) : -1;
+      active = host >= 0;
+      if (active) pores.host[cell] = static_cast<std::int32_t>(host);
+    }
+    if (!active)
+      for (auto& w : pores.weight) w[cell] = 0;
+    pores.active[cell] = active;
+  });
+  over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
+    const std::ptrdiff_t host = pores.host[cell];
+    for (std::size_t d = 0; d < 2 && host >= 0; ++d) pores.resistance[d][cell] = pores.resistance[d][host];
+    if (!pores.active[cell]) {
+      grid.pressure[cell] = 0;
+    } else if (!before[cell]) {  // as still water from a neighbour that has had a pressure
+      for (int turn = 0; turn < Space::axes; ++turn) {
+        const int a = (Space::up + turn) % Space::axes;
+        const std::ptrdiff_t s = lattice.stride[a];
+        const double rise = a == Space::up ? setup.water.density * gravity * lattice.spacing[a] : 0;
+        if (place[a] > 0 && pores.active[cell - s] && (before[cell - s] || a == Space::up)) {
+          grid.pressure[cell] = grid.pressure[cell - s] - rise;
+          break;
+        }
+        if (place[a] < lattice.cells[a] - 1 && pores.active[cell + s] && before[cell + s]) {
+          grid.pressure[cell] = grid.pressure[cell + s] + rise;
+          break;
+        }
+      }
+    }
+  });
+}
+
+template <class Space>
+void fill_pores(const Setup<Space>& setup, const GridFields<Space>& grid, PoreFields<Space>& pores, Team& team) {
+  const auto& lattice = setup.lattice;
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+    for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
+      double held = 0, slope = 0, wet = 0, conducts = 0, all = 0;
+      const double p = grid.pressure[cell];
+      const std::ptrdiff_t like = pores.host[cell] >= 0 ? pores.host[cell] : cell;
+      for (std::size_t m = 0; m < setup.pores.size(); ++m) {
+        const double own = pores.composition[m][cell], v = pores.composition[m][like];
+        if (own == 0 && v == 0) continue;
+        const PoreSpace& space = setup.pores[m];
+        const WaterRatio ratio = water_ratio(space, p, setup.water.bulk_modulus);
+        held += own * ratio.value;
+        slope += own * ratio.slope;
+        wet += v * saturation(space.retention, -p);
+        conducts += v * relative_conductivity(space.curve, space.retention, -p);
+        all += v;
+      }
+      pores.content[cell] = held;
+      pores.storage[cell] = slope;
+      pores.saturation[cell] = all > 0 ? wet / all : 0;
+      pores.relative[cell] = all > 0 ? conducts / all : 0;
+    }
+  });
+}
+
+template <class Space>
+void set_volume_change(const Setup<Space>& setup, const GridFields<Space>& grid, PoreFields<Space>& pores, Team& team) {
+  const auto& lattice = setup.lattice;
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+    for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
+      double change = 0;
+      for (int a = 0; a < Space::axes; ++a)
+        change += pores.weight[a][cell] *
+                  (grid.soil_velocity[a][cell + lattice.stride[a]] - grid.soil_velocity[a][cell]) / lattice.spacing[a];
+      pores.volume_change[cell] = pores.active[cell] ? change : 0;
+    }
+  });
+}
+
+#define POLDER_PORE_CELLS(Space)                                                                              \
+  template void prepare_cells(const Setup<Space>&, double, GridFields<Space>&, PoreFields<Space>&);           \
+  template void fill_pores(const Setup<Space>&, const GridFields<Space>&, PoreFields<Space>&, Team&);         \
+  template void set_volume_change(const Setup<Space>&, const GridFields<Space>&, PoreFields<Space>&, Team&);
+POLDER_PORE_CELLS(PlaneStrain)
+POLDER_PORE_CELLS(Solid)
+#undef POLDER_PORE_CELLS
+
+}  // namespace polder

@@ -1,0 +1,66 @@
+#pragma once
+// What the unsaturated formulation keeps on the grid beside GridFields: water, pores and weights of the cells, which
+// face takes over from which. docs/theory.md, "Unsaturated soil".
+#include <cstdint>
+#include <vector>
+
+#include "polder/grid/lattice.hpp"
+#include "polder/step/setup.hpp"
+
+namespace polder {
+
+/// Of a face without soil on either side of it along its own axis: who moves it.
+enum class Leader : std::int8_t { itself, below, above, none };
+
+template <class Space>
+struct PoreFields {
+  PoreFields(const Lattice<Space>& lattice, std::size_t materials)
+      : bulk(lattice.make_array()),
+        yielding(bulk),
+        water(bulk),
+        resistance{bulk, bulk},
+        composition(materials, bulk),
+        pores(bulk),
+        weight(make_face_field(lattice)),
+        saturation(bulk),
+        relative(bulk),
+        content(bulk),
+        storage(bulk),
+        volume_change(bulk),
+        points_change(bulk),
+        correction(bulk),
+        surplus(bulk),
+        flow(make_face_field(lattice)),
+        held_mass(make_face_field(lattice)),
+        host(static_cast<std::size_t>(lattice.size), -1),
+        active(static_cast<std::size_t>(lattice.size), 0) {
+    for (auto& l : leader) l.assign(static_cast<std::size_t>(lattice.size), 0);
+  }
+
+  // in cells; volumes in m³, per metre in plane strain
+  Array bulk;                      ///< of the soil, by overlap of the points' boxes
+  Array yielding;                  ///< the part of it that deforms
+  Array water;                     ///< in its pores, as at no pressure
+  std::array<Array, 2> resistance; ///< μ/κ, Pa s/m², horizontal and vertical, mean over the cell
+  std::vector<Array> composition;  ///< pore volume by material
+  Array pores;                     ///< of all materials
+  FaceField<Space> weight;         ///< by axis: volume over which the cell's pressure acts, and its strain is counted
+  Array saturation;                ///< S at the start of the step, mean over the pores
+  Array relative;                  ///< k_r
+  Array content, storage;          ///< Θ(p), m³, and dΘ/dp, m³/Pa
+  Array volume_change;             ///< D, m³/s, by the faces' velocities
+  Array points_change;             ///< the same by the points' own strains
+  Array correction;                ///< 1/s, of the points' rates of dilation
+  Array surplus;                   ///< water beyond Θ, over the pores
+  FaceField<Space> flow;           ///< m³/s of water through a face, along the axis, relative to the grains
+  FaceField<Space> held_mass;      ///< kg of soil that never moves
+  AlignedVector<std::int32_t> host;   ///< cell that stands for one without soil of its own; −1: itself
+  AlignedVector<std::uint8_t> active; ///< has a pressure
+  std::array<AlignedVector<std::int8_t>, Space::axes> leader;
+
+  // of points, in their order
+  std::array<Array, Space::axes * Space::axes> gradient;  ///< 1/s
+  Array dilation;                                         ///< 1/s
+};
+
+}  // namespace polder

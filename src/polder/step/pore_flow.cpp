@@ -1,0 +1,143 @@
+#include "polder/step/pore_flow.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "polder/step/face_loop.hpp"
+
+namespace polder {
+
+namespace {
+
+constexpr int most_iterations = 20;
+constexpr double closed_to = 1e-9;  // of its pores: error of a cell's balance at which Newton ends
+
+/// Share of a face that soil fills: beside the surface, that of the less filled cell; upwards, soil that fills a tenth
+/// of the lower cell carries the water of the whole.
+template <class Space>
+double open_share(const Lattice<Space>& lattice, const PoreFields<Space>& pores, int axis, std::ptrdiff_t low,
+                  std::ptrdiff_t high) {
+  const double volume = lattice.cell_volume();
+  const double share =
+      axis == Space::up ? 10 * pores.bulk[low] / volume : std::min(pores.bulk[low], pores.bulk[high]) / volume;
+  return std::clamp(share, 0.01, 1.0);
+}
+
+/// k A/(γw d) of a face, m³/s/Pa.
+template <class Space>
+double conductance(const Lattice<Space>& lattice, const PoreFields<Space>& pores, int axis, std::ptrdiff_t face) {
+  const std::ptrdiff_t low = face - lattice.stride[axis];
+  if (!pores.active[low] || !pores.active[face]) return 0;
+  const Array& a = pores.resistance[axis == Space::up];
+  return open_share(lattice, pores, axis, low, face) * lattice.face_area(axis) *
+         (pores.relative[low] + pores.relative[face]) / (lattice.spacing[axis] * (a[low] + a[face]));
+}
+
+}  // namespace
+
+template <class Space>
+SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gravity, std::vector<PoreExit>& exits,
+                                GridFields<Space>& grid, PoreFields<Space>& pores, PressureSolver<Space>& solver,
+                                Team& team) {
+  const auto& lattice = setup.lattice;
+  const double weight = setup.water.density * gravity;
+  const Array before = grid.pressure, coupled = pores.saturation;  // the coupling stays that of the step's start
+  Array increment(before.size(), 0.0);
+  Array conducts[Space::axes];
+  for (auto& c : conducts) c = lattice.make_array();
+  SolveResult total;
+
+  const auto flow = [&](int a, std::ptrdiff_t f) {
+    const double head = a == Space::up ? weight * lattice.spacing[a] : 0;
+    return conducts[a][f] * (grid.pressure[f - lattice.stride[a]] - grid.pressure[f] - head);
+  };
+  const auto inner = [&](int a, std::ptrdiff_t cell, int end) {  // whether the cell's face at this end is inside
+    const int place = lattice.place(cell, a);
+    return end == 0 ? place > 0 : place < lattice.cells[a] - 1;
+  };
+
+  for (int iteration = 0;; ++iteration) {
+    fill_pores(setup, grid, pores, team);
+    for (int a = 0; a < Space::axes; ++a)
+      over_face_rows(lattice, grid.rows, a, team, [&](std::ptrdiff_t first, int count, const auto&) {
+        for (std::ptrdiff_t f = first; f < first + count; ++f) {
+          conducts[a][f] = conductance(lattice, pores, a, f);
+          pores.flow[a][f] = flow(a, f);
+        }
+      });
+    set_volume_change(setup, grid, pores, team);
+    for (PoreExit& exit : exits)
+      exit.out = std::max(exit.conductance * (grid.pressure[exit.cell] - exit.level), exit.least);
+
+    // balance of every cell, and its derivatives
+    std::vector<double> worst(grid.rows.spans.size(), 0.0);
+    over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+      for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
+        for (int a = 0; a < Space::axes; ++a) solver.matrix.coupling[a][cell] = 0;
+        solver.matrix.diagonal[cell] = solver.right_side[cell] = 0;
+        if (!pores.active[cell]) continue;
+        double out = 0, sum = pores.storage[cell] / dt;
+        for (int a = 0; a < Space::axes; ++a)
+          for (const int end : {0, 1}) {
+            const std::ptrdiff_t f = cell + end * lattice.stride[a], other = end == 0 ? cell - lattice.stride[a] : f;
+            const double h = lattice.spacing[a];
+            const double own = coupled[cell] * pores.weight[a][cell] / h;
+            sum += own * own * grid.soil_response[a][f];
+            if (!inner(a, cell, end)) continue;
+            out += (end == 0 ? -1 : 1) * pores.flow[a][f];
+            sum += conducts[a][f];
+            if (end == 0 && pores.active[other])
+              solver.matrix.coupling[a][cell] =
+                  conducts[a][f] + own * grid.soil_response[a][f] * coupled[other] * pores.weight[a][other] / h;
+          }
+        solver.matrix.diagonal[cell] = sum;
+        solver.right_side[cell] =
+            -((pores.content[cell] - pores.water[cell]) / dt + coupled[cell] * pores.volume_change[cell] + out);
+      }
+    });
+    for (const PoreExit& exit : exits) {
+      solver.right_side[exit.cell] -= exit.out;
+      if (exit.conductance * (grid.pressure[exit.cell] - exit.level) > exit.least)
+        solver.matrix.diagonal[exit.cell] += exit.conductance;
+    }
+    const double scale = dt / lattice.cell_volume();
+    for (std::size_t row = 0; row < grid.rows.spans.size(); ++row) {
+      const RowSpan span = grid.rows.spans[row];
+      const int j = static_cast<int>(static_cast<std::ptrdiff_t>(row) % lattice.cells[1]);
+      const int k = static_cast<int>(static_cast<std::ptrdiff_t>(row) / lattice.cells[1]);
+      for (int i = span.begin; i < span.end; ++i)
+        worst[row] = std::max(worst[row], std::abs(solver.right_side[lattice.index(i, j, k)]) * scale);
+    }
+    const double error = *std::max_element(worst.begin(), worst.end());
+    if (error < closed_to) break;
+    if (iteration == most_iterations || !std::isfinite(error)) {
+      total.converged = std::isfinite(error) && error < 1e-4;
+      total.residual = error;
+      break;
+    }
+
+    std::fill(increment.begin(), increment.end(), 0.0);
+    const SolveResult result = solver.solve(grid.rows, increment, setup.numerics.pressure_tolerance, 400, team);
+    total.iterations += result.iterations;
+    over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+      for (std::ptrdiff_t cell = first; cell < first + count; ++cell) grid.pressure[cell] += increment[cell];
+    });
+    for (int a = 0; a < Space::axes; ++a)
+      over_face_rows(lattice, grid.rows, a, team, [&](std::ptrdiff_t first, int count, const auto&) {
+        const std::ptrdiff_t s = lattice.stride[a];
+        for (std::ptrdiff_t f = first; f < first + count; ++f)
+          grid.soil_velocity[a][f] +=
+              grid.soil_response[a][f] / lattice.spacing[a] *
+              (pores.weight[a][f - s] * coupled[f - s] * increment[f - s] - pores.weight[a][f] * coupled[f] * increment[f]);
+      });
+  }
+  return total;
+}
+
+template SolveResult solve_pore_pressure(const Setup<PlaneStrain>&, double, double, std::vector<PoreExit>&,
+                                         GridFields<PlaneStrain>&, PoreFields<PlaneStrain>&,
+                                         PressureSolver<PlaneStrain>&, Team&);
+template SolveResult solve_pore_pressure(const Setup<Solid>&, double, double, std::vector<PoreExit>&, GridFields<Solid>&,
+                                         PoreFields<Solid>&, PressureSolver<Solid>&, Team&);
+
+}  // namespace polder

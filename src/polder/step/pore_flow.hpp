@@ -1,0 +1,52 @@
+#pragma once
+// Flow of the pore water in the unsaturated formulation: the balance of every cell in the pressures at the end of the
+// step, the soil's response included, by Newton with conservative increments (docs/theory.md, "Unsaturated soil").
+#include <vector>
+
+#include "polder/grid/pressure_solver.hpp"
+#include "polder/step/fields.hpp"
+#include "polder/step/pore_fields.hpp"
+
+namespace polder {
+
+/// What passes between a cell and the outside: out = max(conductance (p − level), least).
+struct PoreExit {
+  std::ptrdiff_t cell;
+  double conductance;  ///< m³/s/Pa
+  double level;        ///< Pa, pressure of the cell at which nothing flows
+  double least;        ///< m³/s: 0 at a seepage face, −rain; −∞ where a head is given
+  double out = 0;      ///< m³/s, at the end of the step
+};
+
+/// Sets contents, saturations, conductivities at the pressures as they are; hosts of cells without soil; which cells
+/// are active, with a pressure for those that have become so; which faces follow another.
+template <class Space>
+void prepare_cells(const Setup<Space>& setup, double gravity, GridFields<Space>& grid, PoreFields<Space>& pores);
+
+/// S at the cells' pressures, and content and storage.
+template <class Space>
+void fill_pores(const Setup<Space>& setup, const GridFields<Space>& grid, PoreFields<Space>& pores, Team& team);
+
+/// Solves for the pressures. In: `grid.soil_velocity` with the old pressures' force, `grid.soil_response`, its change by
+/// a force (m/s per N). Out: pressures, velocities, flows, `exits[].out`.
+template <class Space>
+SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gravity, std::vector<PoreExit>& exits,
+                                GridFields<Space>& grid, PoreFields<Space>& pores, PressureSolver<Space>& solver,
+                                Team& team);
+
+/// Force of the water on a face, N, along the axis, by the saturations at the start of the step: the difference of what
+/// presses on either side.
+template <class Space>
+double pressure_force(const Lattice<Space>& lattice, const PoreFields<Space>& pores, const Array& pressure, int axis,
+                      std::ptrdiff_t face) {
+  const std::ptrdiff_t low = face - lattice.stride[axis];
+  const Array& w = pores.weight[axis];
+  return (w[low] * pores.saturation[low] * pressure[low] - w[face] * pores.saturation[face] * pressure[face]) /
+         lattice.spacing[axis];
+}
+
+/// D of every cell by the faces' velocities, that of cells without soil added to their hosts'.
+template <class Space>
+void set_volume_change(const Setup<Space>& setup, const GridFields<Space>& grid, PoreFields<Space>& pores, Team& team);
+
+}  // namespace polder

@@ -1,0 +1,293 @@
+#include "polder/step/unsaturated_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "polder/case/geometry.hpp"
+#include "polder/step/chunk.hpp"
+#include "polder/step/face_loop.hpp"
+#include "polder/step/pore_curves.hpp"
+
+namespace polder {
+
+namespace {
+
+// Steps grow while what is out of balance is below the first share of the weight, shrink above the second.
+constexpr double calm_below = 1e-2, loud_above = 2e-2, grow = 1.03, shrink = 0.9, smoothing = 0.1;
+
+/// Pressure at a place at the start: still water, suction up to its limit.
+template <class Space>
+double pressure_at_start(const Setup<Space>& setup, double x, double height) {
+  if (setup.water_table.empty()) return 0;
+  const double p = setup.water.density * setup.gravity * (height_at(setup.water_table, x) - height);
+  return std::max(p, -setup.suction_limit);
+}
+
+}  // namespace
+
+template <class Space>
+UnsaturatedStep<Space>::UnsaturatedStep(const Setup<Space>& setup, SoilPoints<Space>& soil, GridFields<Space>& grid)
+    : pores(setup.lattice, setup.materials.size()), ground_(ground_conditions(setup, soil)) {
+  const auto& lattice = setup.lattice;
+  for (std::ptrdiff_t row = 0; row < lattice.row_count(); ++row) {
+    const int j = static_cast<int>(row % lattice.cells[1]), k = static_cast<int>(row / lattice.cells[1]);
+    for (int i = 0; i < lattice.cells[0]; ++i) {
+      const std::ptrdiff_t cell = lattice.index(i, j, k);
+      grid.pressure[cell] = pressure_at_start(setup, (i + 0.5) * lattice.spacing[0],
+                                              ((Space::axes == 3 ? k : j) + 0.5) * lattice.spacing[Space::up]);
+      pores.active[cell] = 1;  // it has a pressure
+    }
+  }
+  for (std::size_t p = 0; p < soil.size(); ++p) {
+    std::array<double, 3> x{0, 0, 0};
+    for (int a = 0; a < Space::axes; ++a) x[a] = soil.position[a][p];
+    const SoilMaterial& material = setup.materials[soil.material[p]];
+    double filled = 0;
+    BoxOverlap<Space>(lattice, x, box_half(setup, soil, p), setup.soil_box.low, setup.soil_box.high)
+        .over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
+          if (share > 0)
+            filled +=
+                share * water_ratio(setup.pores[soil.material[p]], grid.pressure[cell], setup.water.bulk_modulus).value;
+        });
+    soil.water[p] = filled * soil.porosity[p] * soil.mass[p] / (material.grain_density * (1 - soil.porosity[p]));
+    weight_ += setup.gravity * (soil.mass[p] + setup.water.density * soil.water[p]);
+  }
+}
+
+template <class Space>
+double UnsaturatedStep<Space>::natural_step(const Setup<Space>& setup) const {
+  // of the stiffest material: soil_step holds cfl of it
+  const double natural = setup.soil_step * difference_cfl / setup.numerics.cfl;
+  return natural * std::sqrt(setup.numerics.mass_scaling) * calm.stretch;
+}
+
+/// Velocities with the pressures of the last step; the out-of-balance force over the weight.
+template <class Space>
+double UnsaturatedStep<Space>::predict(const Setup<Space>& setup, const StepControl& control, double dt,
+                                       GridFields<Space>& grid, Team& team) {
+  const auto& lattice = setup.lattice;
+  std::vector<double> row_sum(static_cast<std::size_t>(lattice.size), 0.0);
+  double unbalanced = 0;
+  for (int c = 0; c < Space::axes; ++c) {
+    std::fill(row_sum.begin(), row_sum.end(), 0.0);
+    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+      double sum = 0;
+      for (int i = 0; i < count; ++i) {
+        const std::ptrdiff_t f = first + i;
+        const int at = place[c] + (c == 0 ? i : 0);
+        const double m = grid.soil_mass[c][f];
+        grid.soil_response[c][f] = grid.soil_before[c][f] = 0;
+        const bool wall = at <= setup.soil_box.low[c] || at >= setup.soil_box.high[c];
+        if (!(m > 0) || wall || pores.held_mass[c][f] > 0.5 * m) {
+          grid.soil_velocity[c][f] = 0;
+          continue;
+        }
+        const double v = grid.soil_before[c][f] = grid.soil_velocity[c][f] / m;
+        grid.soil_velocity[c][f] = v;
+        if (pores.leader[c][f] != static_cast<std::int8_t>(Leader::itself)) continue;
+        double force = grid.soil_force[c][f] + pressure_force(lattice, pores, grid.pressure, c, f);
+        sum += std::abs(force);
+        if (v != 0) force -= control.local_damping * std::abs(force) * (v > 0 ? 1 : -1);
+        const double damped = 1 / (1 + control.damping * dt);
+        grid.soil_velocity[c][f] = (v + dt * force / m) * damped;
+        grid.soil_response[c][f] = dt / m * damped;
+      }
+      row_sum[static_cast<std::size_t>(first)] = sum;
+    });
+    for (const double s : row_sum) unbalanced += s;
+  }
+  return unbalanced / std::max(weight_, 1e-300);
+}
+
+/// What each cell holds after the step, exactly: what it held less what has left it. The difference from Θ(p) is spread
+/// over its pores; that of cells with little soil goes to their neighbour's below.
+template <class Space>
+void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, const std::vector<PoreExit>& exits,
+                                          bool held, GridFields<Space>& grid, Team& team,
+                                          std::vector<Exchange>& exchanged) {
+  const auto& lattice = setup.lattice;
+  fill_pores(setup, grid, pores, team);
+  if (held) {  // pressures are given: the ground takes or gives what they ask for
+    double change = 0;
+    for (std::size_t cell = 0; cell < pores.content.size(); ++cell) change += pores.content[cell] - pores.water[cell];
+    exchanged.push_back({lattice.index(0, 0), change});
+    std::fill(pores.surplus.begin(), pores.surplus.end(), 0.0);
+    return;
+  }
+  Array left = pores.water;
+  for (std::ptrdiff_t row = 0; row < lattice.row_count(); ++row)
+    for (int i = 0; i < lattice.cells[0]; ++i) {
+      const std::ptrdiff_t cell = lattice.index(i, static_cast<int>(row % lattice.cells[1]),
+                                                static_cast<int>(row / lattice.cells[1]));
+      for (int a = 0; a < Space::axes; ++a) {
+        if (lattice.place(cell, a) == 0) continue;
+        left[cell] += dt * pores.flow[a][cell];
+        left[cell - lattice.stride[a]] -= dt * pores.flow[a][cell];
+      }
+    }
+  for (const PoreExit& exit : exits) {
+    left[exit.cell] -= dt * exit.out;
+    exchanged.push_back({exit.cell, -dt * exit.out});
+  }
+  const double thin = thin_cell * lattice.cell_volume();
+  Array beyond = lattice.make_array();  // Θ(p)
+  for (std::ptrdiff_t row = lattice.row_count() - 1; row >= 0; --row)  // from above, so that each passes on once
+    for (int i = lattice.cells[0] - 1; i >= 0; --i) {
+      const std::ptrdiff_t cell = lattice.index(i, static_cast<int>(row % lattice.cells[1]),
+                                                static_cast<int>(row / lattice.cells[1]));
+      beyond[cell] += left[cell] - pores.content[cell];
+      if (pores.bulk[cell] > thin || beyond[cell] == 0) continue;
+      std::ptrdiff_t to = pores.host[cell];
+      for (int turn = 0; to < 0 && turn < Space::axes; ++turn) {
+        const int a = (Space::up + turn) % Space::axes;
+        if (lattice.place(cell, a) > 0 && pores.bulk[cell - lattice.stride[a]] > pores.bulk[cell])
+          to = cell - lattice.stride[a];
+      }
+      if (to < 0) continue;
+      beyond[to] += beyond[cell];
+      beyond[cell] = 0;
+    }
+  for (std::size_t cell = 0; cell < beyond.size(); ++cell)
+    pores.surplus[cell] = pores.pores[cell] > 0 ? beyond[cell] / pores.pores[cell] : 0;
+}
+
+template <class Space>
+void UnsaturatedStep<Space>::judge(const Setup<Space>& setup, double dt, const SoilPoints<Space>& soil, Team& team) {
+  const double h = setup.lattice.smallest_spacing(), stretched = dt / (difference_cfl * h);
+  const auto count = static_cast<std::ptrdiff_t>(soil.size());
+  const auto volume = [&](std::ptrdiff_t p) {
+    return soil.mass[p] / (setup.materials[soil.material[p]].grain_density * (1 - soil.porosity[p]));
+  };
+  const auto inertia = [&](std::ptrdiff_t p) {
+    const double mass = soil.mass[p] + setup.water.density * soil.water[p];
+    return std::max(setup.numerics.mass_scaling * mass,
+                    volume(p) * setup.pores[soil.material[p]].modulus * stretched * stretched);
+  };
+  const double kinetic = ordered_sum(team, count, [&](std::ptrdiff_t p) {
+    double square = 0;
+    for (const auto& v : soil.velocity) square += v[p] * v[p];
+    return 0.5 * inertia(p) * square;
+  });
+  const double elastic = ordered_sum(team, count, [&](std::ptrdiff_t p) {
+    double square = 0;
+    for (int s = 0; s < Space::stress; ++s) square += (s < 3 ? 1 : 2) * soil.stress[s][p] * soil.stress[s][p];
+    return 0.5 * volume(p) * square / setup.pores[soil.material[p]].modulus;
+  });
+  calm.energy_ratio = elastic > 0 ? kinetic / elastic : 0;
+  calm.inertial_number = 0;
+  for (std::ptrdiff_t p = 0; p < count; ++p) {
+    double rate = 0;
+    for (int c = 0; c < Space::axes; ++c)
+      for (int a = 0; a < Space::axes; ++a) {
+        const double e = 0.5 * (pores.gradient[c * Space::axes + a][p] + pores.gradient[a * Space::axes + c][p]);
+        rate += 2 * e * e;
+      }
+    const double confinement =
+        std::max(1e3, -(soil.stress[0][p] + soil.stress[1][p] + soil.stress[2][p]) / 3);  // Pa
+    calm.inertial_number =
+        std::max(calm.inertial_number, std::sqrt(rate * inertia(p) / volume(p) / confinement) * h);
+  }
+  if (calm.stretch > 1 || setup.numerics.mass_scaling > 1) {
+    calm.worst_energy_ratio = std::max(calm.worst_energy_ratio, calm.energy_ratio);
+    calm.worst_inertial_number = std::max(calm.worst_inertial_number, calm.inertial_number);
+  }
+}
+
+/// What drawings and monitors of the water read: cells under the water table are wet, the uppermost filled up to it.
+template <class Space>
+void UnsaturatedStep<Space>::show_water(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) const {
+  const auto& lattice = setup.lattice;
+  const double rise = setup.water.density * std::max(setup.gravity, 1e-9) * lattice.spacing[Space::up];
+  const std::ptrdiff_t s = lattice.stride[Space::up];
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+    for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
+      const bool own = pores.active[cell] && pores.host[cell] < 0;
+      const double level = 0.5 + grid.pressure[cell] / rise;  // of the water table over the cell's base, cells
+      grid.wet[cell] = own && grid.pressure[cell] >= 0;
+      const bool under = own && pores.active[cell + s] && grid.pressure[cell + s] >= 0;
+      grid.fill[cell] = !own ? 0 : under ? 1 : std::clamp(level, 0.0, 1.0);
+      grid.cell_porosity[cell] = pores.bulk[cell] > 0 ? pores.pores[cell] / pores.bulk[cell] : 1;
+    }
+  });
+  for (int a = 0; a < Space::axes; ++a)
+    for (std::size_t f = 0; f < pores.flow[a].size(); ++f)
+      grid.discharge[a][f] = pores.flow[a][f] / lattice.face_area(a);
+}
+
+template <class Space>
+double UnsaturatedStep<Space>::pressure_at(const Setup<Space>& setup, const GridFields<Space>& grid,
+                                           const std::array<double, 3>& x) const {
+  const auto& lattice = setup.lattice;
+  const double weight = setup.water.density * setup.gravity;
+  double sum = 0, shares = 0;
+  for (int corner = 0; corner < (1 << Space::axes); ++corner) {
+    std::array<int, 3> cell{0, 0, 0};
+    double share = 1;
+    for (int a = 0; a < Space::axes; ++a) {
+      const double place = x[a] / lattice.spacing[a] - 0.5, low = std::floor(place);
+      const int up = corner >> a & 1;
+      cell[a] = std::clamp(static_cast<int>(low) + up, 0, lattice.cells[a] - 1);
+      share *= up ? place - low : 1 - (place - low);
+    }
+    const std::ptrdiff_t at = lattice.index(cell[0], cell[1], cell[2]);
+    if (!pores.active[at]) continue;
+    const double above = (cell[Space::up] + 0.5) * lattice.spacing[Space::up] - x[Space::up];
+    sum += share * (grid.pressure[at] + weight * above);
+    shares += share;
+  }
+  return shares > 0 ? sum / shares : 0;
+}
+
+template <class Space>
+SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const StepControl& control, double dt,
+                                            const Tiling<Space>& tiling, SoilPoints<Space>& soil,
+                                            GridFields<Space>& grid, PressureSolver<Space>& solver, Team& team,
+                                            Motion& motion, std::vector<Exchange>& exchanged) {
+  const double gravity = setup.gravity * control.gravity_factor;
+  mixture_to_grid(setup, soil, tiling, {setup.numerics.mass_scaling, dt}, gravity, grid, pores, team);
+  prepare_cells(setup, setup.gravity, grid, pores);
+  fill_pores(setup, grid, pores, team);
+  const double unbalanced = predict(setup, control, dt, grid, team);
+
+  SolveResult result;
+  std::vector<PoreExit> exits;
+  if (!control.hold_water) {
+    exits = pore_exits(setup, ground_, control.time, setup.gravity, pores);
+    result = solve_pore_pressure(setup, dt, setup.gravity, exits, grid, pores, solver, team);
+  }
+  for (int c = 0; c < Space::axes; ++c) {
+    const std::ptrdiff_t s = setup.lattice.stride[c];
+    Array& v = grid.soil_velocity[c];
+    for (std::size_t f = 0; f < v.size(); ++f) {
+      const auto who = static_cast<Leader>(pores.leader[c][f]);
+      if (who == Leader::below) v[f] = v[f - static_cast<std::size_t>(s)];
+      if (who == Leader::above) v[f] = v[f + static_cast<std::size_t>(s)];
+    }
+    reflect(v, c, true, setup.soil_box, setup.lattice);
+  }
+
+  set_volume_change(setup, grid, pores, team);
+  for (std::size_t cell = 0; cell < pores.host.size(); ++cell)
+    if (pores.host[cell] >= 0) {
+      pores.volume_change[pores.host[cell]] += pores.volume_change[cell];
+      pores.volume_change[cell] = 0;
+    }
+  motion = strain_points(setup, dt, grid, tiling, soil, pores, team);
+  pores_to_grid(setup, soil, tiling, pores, team);
+  settle_books(setup, dt, exits, control.hold_water, grid, team, exchanged);
+  move_points(setup, dt, grid, tiling, pores, soil, team);
+  show_water(setup, grid, team);
+  judge(setup, dt, soil, team);
+
+  calm.unbalanced += smoothing * (unbalanced - calm.unbalanced);
+  if (calm.unbalanced > loud_above)
+    calm.stretch = std::max(1.0, shrink * calm.stretch);
+  else if (calm.unbalanced < calm_below)
+    calm.stretch = std::min(setup.numerics.step_stretch, grow * calm.stretch);
+  return result;
+}
+
+template class UnsaturatedStep<PlaneStrain>;
+template class UnsaturatedStep<Solid>;
+
+}  // namespace polder

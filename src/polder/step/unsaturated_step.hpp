@@ -1,0 +1,66 @@
+#pragma once
+// One time step of the unsaturated formulation: soil points carry effective stress, porosity and the water of their
+// pores; cells have one pressure, positive or suction, of which saturation and conductivity are functions.
+// docs/theory.md, "Unsaturated soil".
+#include "polder/step/ground_water.hpp"
+#include "polder/step/reservoirs.hpp"
+#include "polder/step/unsaturated_transfer.hpp"
+
+namespace polder {
+
+inline constexpr double difference_cfl = 0.5;  ///< of the drained P-wave: cell differences are stiffer than splines
+inline constexpr double thin_cell = 0.25;      ///< of a cell's volume: with less soil its host keeps its books
+inline constexpr int dilation_passes = 2;
+
+/// How fast the ground moves, and whether what steps longer than natural do to it still is at rest.
+struct Calm {
+  double unbalanced = 0;       ///< Σ|f| of the faces over the weight, smoothed over some ten steps
+  double stretch = 1;          ///< of the step, now
+  double inertial_number = 0;  ///< largest γ̇ h √(ρ*/p'), ρ* the density with the raised inertia, of this step
+  double energy_ratio = 0;     ///< kinetic energy, with it, over the elastic one, Σ V σ':σ'/(2M)
+  double worst_inertial_number = 0, worst_energy_ratio = 0;  ///< while inertia was raised, since the start
+};
+
+template <class Space>
+class UnsaturatedStep {
+ public:
+  UnsaturatedStep(const Setup<Space>& setup, SoilPoints<Space>& soil, GridFields<Space>& grid);
+
+  /// The step that the ground's motion allows now, s.
+  double natural_step(const Setup<Space>& setup) const;
+
+  /// Adaptive steps begin anew: a stage begins, loads may jump.
+  void begin_stage() { calm.stretch = 1; }
+
+  SolveResult advance(const Setup<Space>& setup, const StepControl& control, double dt, const Tiling<Space>& tiling,
+                      SoilPoints<Space>& soil, GridFields<Space>& grid, PressureSolver<Space>& solver, Team& team,
+                      Motion& motion, std::vector<Exchange>& exchanged);
+
+  /// Water pressure, Pa, at a place: linear between the cells' centres, still water where one of them has no soil.
+  double pressure_at(const Setup<Space>& setup, const GridFields<Space>& grid, const std::array<double, 3>& x) const;
+
+  template <class Archive>
+  void each_state(Archive&& archive) {
+    archive("pores/active", pores.active);
+    archive("pores/unbalanced", calm.unbalanced);
+    archive("pores/stretch", calm.stretch);
+    archive("pores/worst_inertial_number", calm.worst_inertial_number);
+    archive("pores/worst_energy_ratio", calm.worst_energy_ratio);
+    archive("pores/weight", weight_);
+  }
+
+  PoreFields<Space> pores;
+  Calm calm;
+
+ private:
+  double predict(const Setup<Space>& setup, const StepControl& control, double dt, GridFields<Space>& grid, Team& team);
+  void settle_books(const Setup<Space>& setup, double dt, const std::vector<PoreExit>& exits, bool held,
+                    GridFields<Space>& grid, Team& team, std::vector<Exchange>& exchanged);
+  void judge(const Setup<Space>& setup, double dt, const SoilPoints<Space>& soil, Team& team);
+  void show_water(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) const;
+
+  std::vector<int> ground_;
+  double weight_ = 0;  // N, of all soil at the start
+};
+
+}  // namespace polder

@@ -1,0 +1,346 @@
+#include "polder/step/unsaturated_transfer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "polder/step/gather.hpp"
+#include "polder/step/pore_curves.hpp"
+#include "polder/step/soil_stress.hpp"
+#include "polder/step/unsaturated_step.hpp"
+
+namespace polder {
+
+namespace {
+
+template <class Space>
+double bulk_volume(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p) {
+  return soil.mass[p] / (setup.materials[soil.material[p]].grain_density * (1 - soil.porosity[p]));
+}
+
+template <class Space>
+std::array<double, 3> place_of(const SoilPoints<Space>& soil, std::size_t p) {
+  std::array<double, 3> x{0, 0, 0};
+  for (int a = 0; a < Space::axes; ++a) x[a] = soil.position[a][p];
+  return x;
+}
+
+/// The cells that a point counts for.
+template <class Space>
+BoxOverlap<Space> box_of(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p) {
+  return {setup.lattice, place_of(soil, p), box_half(setup, soil, p), setup.soil_box.low, setup.soil_box.high};
+}
+
+/// Of the four nodes of a row of faces, the lower one of the point's own cell: 0 or 1.
+inline int own_face(double delta) { return delta < 0 ? 0 : 1; }
+
+/// Derivatives along a component's own axis (but x, whose rows are made where they are used) as cell differences.
+template <class Space>
+void use_cell_differences(ChunkWeights<Space>& chunk, int count) {
+  for (int a = 1; a < Space::axes; ++a)
+    for (int l = 0; l < count; ++l) {
+      const int o = own_face(chunk.delta[a][1][l]);
+      for (int i = 0; i < 3; ++i) chunk.derivative[a][1][i][l] = i == o ? -1 : i == o + 1 ? 1 : 0;
+    }
+}
+
+inline Vec4 difference_row(double delta) {
+  constexpr Vec4 low{-1, 1, 0, 0}, high{0, -1, 1, 0};
+  return own_face(delta) == 0 ? low : high;
+}
+
+/// Runs body(first point, count) over chunks of every tile, colour after colour.
+template <class Space, class Body>
+void over_chunks(const Tiling<Space>& tiling, Team& team, Body&& body) {
+  for (const auto& tiles : tiling.by_colour)
+    team.each(static_cast<std::ptrdiff_t>(tiles.size()), [&](std::ptrdiff_t t) {
+      const TileRange range = tiles[t];
+      for (std::uint32_t done = 0; done < range.count; done += chunk_size)
+        body(static_cast<std::size_t>(range.first + done), std::min(chunk_size, static_cast<int>(range.count - done)));
+    });
+}
+
+/// What a point brings to the faces.
+struct Load {
+  double inertia[chunk_size], volume[chunk_size], weight[chunk_size], held[chunk_size];
+};
+
+template <int c, class Space>
+void scatter_component(const Lattice<Space>& lattice, const SoilPoints<Space>& points, const Load& load,
+                       std::size_t first, int count, const ChunkWeights<Space>& chunk, GridFields<Space>& grid,
+                       double* held_field) {
+  constexpr int axes = Space::axes;
+  const auto& h = lattice.spacing;
+  double* mass_field = grid.soil_mass[c].data();
+  double* momentum_field = grid.soil_velocity[c].data();
+  double* force_field = grid.soil_force[c].data();
+  for (int l = 0; l < count; ++l) {
+    const std::size_t p = first + static_cast<std::size_t>(l);
+    const double m = load.inertia[l], v = -load.volume[l];
+    const SplineRow row = spline_row(chunk.delta[0][c == 0][l]);
+    const Vec4 slope = c == 0 ? difference_row(chunk.delta[0][1][l]) : row.derivative;
+    const auto affine = [&](int a) { return points.affine[c * axes + a][p]; };
+    const auto stress = [&](int a) { return points.stress[stress_index<Space>(c, a)][p]; };
+    const Vec4 mass_row = m * row.weight, held_row = load.held[l] * row.weight;
+    const Vec4 momentum_row = (m * points.velocity[c][p]) * row.weight + (m * h[0] * affine(0)) * row.offset;
+    const Vec4 momentum_y = (m * h[1] * affine(1)) * row.weight;
+    Vec4 force_row = (v * stress(0) / h[0]) * slope;
+    if (c == Space::up) force_row -= load.weight[l] * row.weight;
+    const Vec4 force_y = (v * stress(1) / h[1]) * row.weight;
+    Vec4 momentum_z{}, force_z{};
+    if constexpr (axes == 3) {
+      momentum_z = (m * h[2] * affine(axes - 1)) * row.weight;
+      force_z = (v * stress(axes - 1) / h[2]) * row.weight;
+    }
+    const std::ptrdiff_t base = stencil_base<c>(chunk, l);
+    over_rows<c>(chunk, lattice, l,
+                 [&](std::ptrdiff_t at, double wy, double oy, double dy, double wz, double oz, double dz) {
+                   const std::ptrdiff_t node = base + at;
+                   store4(mass_field + node, load4(mass_field + node) + (wy * wz) * mass_row);
+                   store4(held_field + node, load4(held_field + node) + (wy * wz) * held_row);
+                   Vec4 q = load4(momentum_field + node) + (wy * wz) * momentum_row + (oy * wz) * momentum_y;
+                   Vec4 f = load4(force_field + node) + (wy * wz) * force_row + (dy * wz) * force_y;
+                   if constexpr (axes == 3) {
+                     q += (wy * oz) * momentum_z;
+                     f += (wy * dz) * force_z;
+                   }
+                   store4(momentum_field + node, q);
+                   store4(force_field + node, f);
+                 });
+  }
+}
+
+/// A point's volume to the cells of its own layer along axis c, by centre splines across: the volume over which the
+/// cell difference of component c is taken.
+template <int c, class Space>
+void scatter_weight(const Lattice<Space>& lattice, const double* volume, int count, const ChunkWeights<Space>& chunk,
+                    double* field) {
+  for (int l = 0; l < count; ++l) {
+    if (volume[l] == 0) continue;
+    constexpr Vec4 own{0, 1, 0, 0};
+    const Vec4 row = volume[l] * (c == 0 ? own : spline_row(chunk.delta[0][0][l]).weight);
+    double* base = field + chunk.cell_base[l];
+    const auto across = [&](int a, int i) { return a == c ? (i == 1 ? 1.0 : 0.0) : chunk.weight[a][0][i][l]; };
+    for (int k = 0; k < (Space::axes == 3 ? 3 : 1); ++k)
+      for (int j = 0; j < 3; ++j) {
+        const double w = across(1, j) * (Space::axes == 3 ? across(Space::axes - 1, k) : 1);
+        double* at = base + j * lattice.stride[1] + (Space::axes == 3 ? k * lattice.stride[2] : 0);
+        store4(at, load4(at) + w * row);
+      }
+  }
+}
+
+}  // namespace
+
+template <class Space>
+double box_half(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p) {
+  const SoilMaterial& material = setup.materials[soil.material[p]];
+  const double volume = soil.mass[p] / (material.grain_density * (1 - material.initial_porosity));
+  return std::min(0.5, half_edge<Space>(volume, setup.lattice.cell_volume()));
+}
+
+template <class Space>
+void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
+                     InertiaRule inertia, double gravity, GridFields<Space>& grid, PoreFields<Space>& pores,
+                     Team& team) {
+  const auto& lattice = setup.lattice;
+  for (auto* fields : {&grid.soil_mass, &grid.soil_velocity, &grid.soil_force, &pores.weight, &pores.held_mass})
+    for (auto& field : *fields) std::fill(field.begin(), field.end(), 0.0);
+  for (auto* field : {&pores.bulk, &pores.yielding, &pores.water, &pores.resistance[0], &pores.resistance[1]})
+    std::fill(field->begin(), field->end(), 0.0);
+
+  over_chunks(tiling, team, [&](std::size_t first, int count) {
+    ChunkWeights<Space> chunk;
+    chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
+    use_cell_differences(chunk, count);
+    Load load;
+    double yielding[chunk_size];
+    for (int l = 0; l < count; ++l) {
+      const std::size_t p = first + static_cast<std::size_t>(l);
+      const SoilMaterial& material = setup.materials[soil.material[p]];
+      const double volume = bulk_volume(setup, soil, p), mass = soil.mass[p] + setup.water.density * soil.water[p];
+      const double stretched = inertia.step / (difference_cfl * lattice.smallest_spacing());
+      load.volume[l] = volume;
+      load.weight[l] = gravity * mass;
+      load.inertia[l] =
+          std::max(inertia.scaling * mass, volume * setup.pores[soil.material[p]].modulus * stretched * stretched);
+      load.held[l] = material.fixed ? load.inertia[l] : 0;
+      yielding[l] = material.fixed ? 0 : volume;
+      const double a[2] = {volume * linear_resistance(material.drag[0], soil.porosity[p]),
+                           volume * linear_resistance(material.drag[1], soil.porosity[p])};
+      box_of(setup, soil, p).over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
+        pores.bulk[cell] += share * volume;
+        pores.yielding[cell] += share * yielding[l];
+        pores.water[cell] += share * soil.water[p];
+        pores.resistance[0][cell] += share * a[0];
+        pores.resistance[1][cell] += share * a[1];
+      });
+    }
+    over_components<Space>([&]<int c>() {
+      scatter_component<c>(lattice, soil, load, first, count, chunk, grid, pores.held_mass[c].data());
+      scatter_weight<c>(lattice, yielding, count, chunk, pores.weight[c].data());
+    });
+  });
+  for (int c = 0; c < Space::axes; ++c) {
+    fold(grid.soil_mass[c], c, false, setup.soil_box, lattice);
+    fold(pores.held_mass[c], c, false, setup.soil_box, lattice);
+    fold(grid.soil_velocity[c], c, true, setup.soil_box, lattice);
+    fold(grid.soil_force[c], c, true, setup.soil_box, lattice);
+    fold(pores.weight[c], -1, false, setup.soil_box, lattice);
+  }
+  pores_to_grid(setup, soil, tiling, pores, team);
+}
+
+template <class Space>
+void pores_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
+                   PoreFields<Space>& pores, Team& team) {
+  for (auto& field : pores.composition) std::fill(field.begin(), field.end(), 0.0);
+  over_chunks(tiling, team, [&](std::size_t first, int count) {
+    for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
+      const double volume = soil.porosity[p] * bulk_volume(setup, soil, p);
+      Array& field = pores.composition[soil.material[p]];
+      box_of(setup, soil, p).over_cells(setup.lattice, [&](std::ptrdiff_t cell, double share) {
+        field[cell] += share * volume;
+      });
+    }
+  });
+  pores.pores = pores.composition.front();
+  for (std::size_t m = 1; m < pores.composition.size(); ++m)
+    for (std::size_t cell = 0; cell < pores.pores.size(); ++cell) pores.pores[cell] += pores.composition[m][cell];
+}
+
+namespace {
+
+/// Gathers velocities and rates of strain; a point's own dilation goes to the cells that it counts for.
+template <class Space>
+Motion gather_rates(const Setup<Space>& setup, const GridFields<Space>& grid, const Tiling<Space>& tiling,
+                    SoilPoints<Space>& soil, PoreFields<Space>& pores, Team& team) {
+  const auto& lattice = setup.lattice;
+  Motion motion;
+  std::mutex mutex;  // a maximum does not depend on the order
+  over_chunks(tiling, team, [&](std::size_t first, int count) {
+    ChunkWeights<Space> chunk;
+    chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
+    use_cell_differences(chunk, count);
+    Gathered<Space> gathered;
+    double speed = 0;
+    over_components<Space>([&]<int c>() {
+      gather_component<c, true>(lattice, chunk, count, grid.soil_velocity[c].data(), gathered);
+      for (int l = 0; c == 0 && l < count; ++l) {
+        const double* base = grid.soil_velocity[c].data() + stencil_base<c>(chunk, l);
+        Vec4 sum{};
+        over_rows<c>(chunk, lattice, l, [&](std::ptrdiff_t at, double wy, double, double, double wz, double, double) {
+          sum += (wy * wz) * load4(base + at);
+        });
+        gathered.gradient[0][l] = sum_lanes(sum * difference_row(chunk.delta[0][1][l]));
+      }
+      for (int l = 0; l < count; ++l) {
+        const std::size_t p = first + static_cast<std::size_t>(l);
+        soil.velocity[c][p] = gathered.value[l];
+        speed = std::max(speed, std::abs(gathered.value[l]) / lattice.spacing[c]);
+        for (int a = 0; a < Space::axes; ++a) {
+          soil.affine[c * Space::axes + a][p] = 4 / lattice.spacing[a] * gathered.moment[a][l];
+          pores.gradient[c * Space::axes + a][p] = gathered.gradient[a][l] / lattice.spacing[a];
+        }
+      }
+    });
+    for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
+      double own = 0;
+      for (int a = 0; a < Space::axes; ++a) own += pores.gradient[a * Space::axes + a][p];
+      if (setup.materials[soil.material[p]].fixed) own = 0;
+      pores.dilation[p] = (1 - setup.numerics.fbar) * own;
+    }
+    const std::lock_guard lock(mutex);
+    motion.take({speed, 0});
+  });
+  return motion;
+}
+
+/// Adds to the points' dilations, by the cells that they count for, what these lack of their own change of volume.
+template <class Space>
+void correct_dilation(const Setup<Space>& setup, const Tiling<Space>& tiling, const SoilPoints<Space>& soil,
+                      PoreFields<Space>& pores, Team& team) {
+  const auto& lattice = setup.lattice;
+  const auto yields = [&](std::size_t p) { return !setup.materials[soil.material[p]].fixed; };
+  std::fill(pores.points_change.begin(), pores.points_change.end(), 0.0);
+  over_chunks(tiling, team, [&](std::size_t first, int count) {
+    for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
+      if (!yields(p)) continue;
+      const double change = bulk_volume(setup, soil, p) * pores.dilation[p];
+      box_of(setup, soil, p).over_cells(
+          lattice, [&](std::ptrdiff_t cell, double share) { pores.points_change[cell] += share * change; });
+    }
+  });
+  const double thin = 0.05 * lattice.cell_volume();
+  for (std::size_t cell = 0; cell < pores.bulk.size(); ++cell)
+    pores.correction[cell] = pores.yielding[cell] > thin
+                                 ? (pores.volume_change[cell] - pores.points_change[cell]) / pores.yielding[cell]
+                                 : 0;
+  over_chunks(tiling, team, [&](std::size_t first, int count) {
+    for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
+      if (!yields(p)) continue;
+      double add = 0;
+      box_of(setup, soil, p).over_cells(
+          lattice, [&](std::ptrdiff_t cell, double share) { add += share * pores.correction[cell]; });
+      pores.dilation[p] += add;
+    }
+  });
+}
+
+}  // namespace
+
+template <class Space>
+Motion strain_points(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, const Tiling<Space>& tiling,
+                     SoilPoints<Space>& soil, PoreFields<Space>& pores, Team& team) {
+  for (auto& g : pores.gradient) g.resize(soil.size());
+  pores.dilation.resize(soil.size());
+  Motion motion = gather_rates(setup, grid, tiling, soil, pores, team);
+  for (int pass = 0; pass < dilation_passes; ++pass) correct_dilation(setup, tiling, soil, pores, team);
+  over_chunks(tiling, team, [&](std::size_t first, int count) {
+    VelocityGradients<Space> gradients;
+    for (int c = 0; c < Space::axes; ++c)
+      for (int a = 0; a < Space::axes; ++a)
+        std::copy_n(pores.gradient[c * Space::axes + a].data() + first, count, gradients.at[c][a]);
+    update_soil(setup, dt, first, count, gradients, pores.dilation.data() + first, soil);
+  });
+  motion.drift = motion.speed * dt;
+  return motion;
+}
+
+template <class Space>
+void move_points(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, const Tiling<Space>& tiling,
+                 const PoreFields<Space>& pores, SoilPoints<Space>& soil, Team& team) {
+  const auto& lattice = setup.lattice;
+  over_chunks(tiling, team, [&](std::size_t first, int count) {
+    for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
+      const PoreSpace& space = setup.pores[soil.material[p]];
+      double filled = 0;
+      box_of(setup, soil, p).over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
+        if (share == 0) return;
+        filled += share * (water_ratio(space, grid.pressure[cell], setup.water.bulk_modulus).value + pores.surplus[cell]);
+      });
+      soil.water[p] = soil.porosity[p] * bulk_volume(setup, soil, p) * filled;
+      if (setup.materials[soil.material[p]].fixed) continue;
+      for (int a = 0; a < Space::axes; ++a)
+        soil.position[a][p] = std::clamp(soil.position[a][p] + dt * soil.velocity[a][p],
+                                         (setup.soil_box.low[a] + wall_gap) * lattice.spacing[a],
+                                         (setup.soil_box.high[a] - wall_gap) * lattice.spacing[a]);
+    }
+  });
+}
+
+#define POLDER_UNSATURATED_TRANSFER(Space)                                                                            \
+  template double box_half(const Setup<Space>&, const SoilPoints<Space>&, std::size_t);                               \
+  template void mixture_to_grid(const Setup<Space>&, const SoilPoints<Space>&, const Tiling<Space>&, InertiaRule,      \
+                                double, GridFields<Space>&, PoreFields<Space>&, Team&);                               \
+  template Motion strain_points(const Setup<Space>&, double, const GridFields<Space>&, const Tiling<Space>&,          \
+                                SoilPoints<Space>&, PoreFields<Space>&, Team&);                                       \
+  template void pores_to_grid(const Setup<Space>&, const SoilPoints<Space>&, const Tiling<Space>&, PoreFields<Space>&, \
+                              Team&);                                                                                 \
+  template void move_points(const Setup<Space>&, double, const GridFields<Space>&, const Tiling<Space>&,              \
+                            const PoreFields<Space>&, SoilPoints<Space>&, Team&);
+POLDER_UNSATURATED_TRANSFER(PlaneStrain)
+POLDER_UNSATURATED_TRANSFER(Solid)
+#undef POLDER_UNSATURATED_TRANSFER
+
+}  // namespace polder
