@@ -312,8 +312,9 @@ void check_stages(const Checking& c) {
 void check_monitors(const Checking& c) {
   static constexpr std::pair<const char*, const char*> takes[] = {
       {"point",
-       "|pressure|excess-pressure|porosity|velocity|displacement|effective-stress|water-velocity|wedge-angle|"},
-      {"section", "|discharge|pressure|"},
+       "|pressure|excess-pressure|porosity|velocity|displacement|effective-stress|water-velocity|wedge-angle|"
+       "total-stress|saturation|"},
+      {"section", "|discharge|pressure|uplift-length|"},
       {"surface", "|water-surface|soil-surface|"},
       {"integral",
        "|water-volume|soil-volume|kinetic-energy|settlement|largest-porosity|largest-uplift|eroded-area|water-front|"

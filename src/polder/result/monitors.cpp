@@ -6,7 +6,11 @@
 #include <cmath>
 
 #include "polder/case/geometry.hpp"
+<<<<<<< HEAD
 #include "polder/result/measures.hpp"
+=======
+#include "polder/result/ground_stress.hpp"
+>>>>>>> 328cf63 (Measure total vertical stress, saturation and uplift length of unsaturated ground)
 #include "polder/step/face_loop.hpp"
 
 namespace polder {
@@ -77,6 +81,7 @@ double section(const Simulation<Space>& run, const Monitor& monitor) {
   const auto& lattice = run.state().setup.lattice;
   const auto& grid = run.state().grid;
   const Point3 &from = monitor.at[0], &to = monitor.at[1];
+  if (monitor.quantity == "uplift-length") return uplift_length(run, from, to);
   const int up = Space::up;
   const bool upright = std::abs(from[0] - to[0]) <= std::abs(from[up] - to[up]);
   const int axis = upright ? 0 : up, along = upright ? up : 0;
@@ -93,6 +98,12 @@ double section(const Simulation<Space>& run, const Monitor& monitor) {
       place[along] = s;
       if (Space::axes == 3) place[1] = k;
       const std::ptrdiff_t f = lattice.index(place[0], place[1], place[2]), before = f - lattice.stride[axis];
+      if (run.state().unsaturated) {
+        flux += grid.discharge[axis][f] * lattice.face_area(axis);
+        pressure += 0.5 * (grid.pressure[f] + grid.pressure[before]);
+        ++wet;
+        continue;
+      }
       if (!grid.reached[axis][f]) continue;
       const double n = grid.porosity[axis][f];
       flux += run.state().setup.bodies.open_face(axis, f) * n *
@@ -117,8 +128,14 @@ std::vector<Part> parts_of(const Monitor& monitor) {
   if (q == "displacement") return {{" ux", "m"}, {" u" + up.substr(1), "m"}};
   if (q == "velocity" || q == "water-velocity") return {{" vx", "m/s"}, {" v" + up.substr(1), "m/s"}};
   if (q == "effective-stress") return {{" sxx", "Pa"}, {" s" + up.substr(1) + up.substr(1), "Pa"}};
+<<<<<<< HEAD
   if (q == "pressure" || q == "excess-pressure") return {{"", "Pa"}};
   if (q == "wedge-angle") return {{"", "deg"}};
+=======
+  if (q == "pressure" || q == "total-stress") return {{"", "Pa"}};
+  if (q == "saturation") return {{"", ""}};
+  if (q == "uplift-length") return {{"", "m"}};
+>>>>>>> 328cf63 (Measure total vertical stress, saturation and uplift length of unsaturated ground)
   if (q == "porosity" || q == "largest-porosity") return {{"", ""}};
   if (q == "discharge") return {{"", Space::axes == 3 ? "m3/s" : "m2/s"}};
   if (q == "water-surface" || q == "soil-surface" || q == "settlement" || q == "largest-uplift" || q == "water-front" ||
@@ -137,10 +154,18 @@ void sample_point(const Simulation<Space>& run, const Monitor& monitor, const Po
   const auto value = [&](auto& array) { return soil ? array[p] : 0.0; };
   if (q == "pressure") {
     row.push_back(run.pressure_at(soil && monitor.follows_soil ? at(state.soil, p) : std::array<double, 3>(place)));
+<<<<<<< HEAD
   } else if (q == "excess-pressure") {
     row.push_back(excess_pressure(run, soil && monitor.follows_soil ? Point3(at(state.soil, p)) : place));
   } else if (q == "wedge-angle") {
     row.push_back(wedge_angle(run, place));
+=======
+  } else if (q == "total-stress") {
+    row.push_back(total_vertical_stress(run, soil && monitor.follows_soil ? at(state.soil, p)
+                                                                          : std::array<double, 3>(place)));
+  } else if (q == "saturation") {
+    row.push_back(soil ? point_saturation(run, p) : 0);
+>>>>>>> 328cf63 (Measure total vertical stress, saturation and uplift length of unsaturated ground)
   } else if (q == "porosity") {
     row.push_back(value(state.soil.porosity));
   } else if (q == "displacement") {
@@ -225,7 +250,7 @@ std::vector<double> Monitors<Space>::sample(const Simulation<Space>& run, double
   const auto& soil = state.soil;
   const Energies e = energies(run);
   std::vector<double> row{dt, e.soil_kinetic, e.water_kinetic, e.potential,
-                          sum_by_id(state.water.id, state.water.volume)};
+                          sum_by_id(state.water.id, state.water.volume) + sum_by_id(soil.id, soil.water)};
   row.push_back(*std::max_element(state.grid.pressure.begin(), state.grid.pressure.end()));
   const Audit<Space>& audit = run.audit();
   row.push_back(audit.steps > 0 ? static_cast<double>(audit.pressure_iterations) / static_cast<double>(audit.steps)
