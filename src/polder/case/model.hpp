@@ -165,9 +165,9 @@ struct Model {
   /// above the water table is hydrostatic, up to `suction_limit` (Pa) at the start.
   bool unsaturated = false;
   double suction_limit = std::numeric_limits<double>::infinity();
-  std::vector<MaterialRetention> retentions;    ///< of the unsaturated formulation; a material without one: S = 1
-  std::vector<SeepageCondition> pore_water;     ///< likewise, along lines of the outline; else: base and sides closed,
-                                                ///< a seepage face on the ground
+  std::vector<MaterialRetention> retentions;  ///< of the unsaturated formulation; a material without one: S = 1
+  std::vector<SeepageCondition> pore_water;   ///< likewise, along lines of the outline; else: base and sides closed,
+                                              ///< a seepage face on the ground
   InitialStress initial_stress = InitialStress::k0;
   std::optional<double> k0;  ///< absent: 1 − sin φ' (Jaky) where the law has an angle, else ν/(1 − ν)
   std::vector<Boundary> boundaries;

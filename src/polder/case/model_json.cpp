@@ -119,7 +119,11 @@ Json retention_json(const MaterialRetention& r) {
 }
 
 Json condition_json(const SeepageCondition& c) {
-  Json json{{"name", c.name}, {"condition", c.kind}, {"line", c.line}, {"rate", {c.rate.x, c.rate.y}}, {"head", {c.head.x, c.head.y}}};
+  Json json{{"name", c.name},
+            {"condition", c.kind},
+            {"line", c.line},
+            {"rate", {c.rate.x, c.rate.y}},
+            {"head", {c.head.x, c.head.y}}};
   if (c.head_at_end) json["head_at_end"] = {c.head_at_end->x, c.head_at_end->y};
   return json;
 }

@@ -24,9 +24,9 @@ struct SeepageCondition {
   std::string name;
   Kind kind = Kind::head;
   std::vector<std::array<double, 2>> line;  ///< m; (x, height)
-  Table head;                        ///< m, by time (s)
-  std::optional<Table> head_at_end;  ///< m, at the line's last point; absent: the same along the line
-  Table rate = Table::constant(0);   ///< m/s, of rain, normal to the outline, by time
+  Table head;                               ///< m, by time (s)
+  std::optional<Table> head_at_end;         ///< m, at the line's last point; absent: the same along the line
+  Table rate = Table::constant(0);          ///< m/s, of rain, normal to the outline, by time
 };
 
 }  // namespace polder

@@ -73,9 +73,10 @@ std::vector<Key> make_keys() {
        "Acceleration of gravity, downwards; more than 9.81 m/s2 in a centrifuge."},
       {"model", "points_per_axis", "", "count", false, "2", 1, 8, "2",
        "Soil and water points per cell along each axis at the start."},
-      {"model", "formulation", "", "choice:double-point|single-point|unsaturated", false, "double-point", any,
-       infinity, R"("double-point")",
-       "Water in the pores of soil: on water points of its own, or carried by the soil points: `single-point` (saturated "
+      {"model", "formulation", "", "choice:double-point|single-point|unsaturated", false, "double-point", any, infinity,
+       R"("double-point")",
+       "Water in the pores of soil: on water points of its own, or carried by the soil points: `single-point` "
+       "(saturated "
        "soil that drains to its surface; no exchange with free water) or `unsaturated` (pores may hold air: "
        "`[[retention]]`, Bishop's effective stress, conditions by `[[seepage_boundary]]`)."},
       // ---- water
@@ -221,9 +222,11 @@ std::vector<Key> make_keys() {
        true, "", any, infinity, R"("displacement")",
        "What is recorded. At a point: pressure, excess-pressure (over the initial water table), porosity, velocity, "
        "displacement, effective-stress, water-velocity, wedge-angle (of the soil that is lifted over an opening whose "
-       "edge the point is), in the unsaturated formulation total-stress (vertical, of the row of cells above the place, "
+       "edge the point is), in the unsaturated formulation total-stress (vertical, of the row of cells above the "
+       "place, "
        "down to it) and saturation; through a section: discharge, pressure, uplift-length (of the row of cells on the "
-       "line, where the mean vertical effective stress is below 2 kPa); of a surface: water-surface, soil-surface; over a "
+       "line, where the mean vertical effective stress is below 2 kPa); of a surface: water-surface, soil-surface; "
+       "over a "
        "region: water-volume, soil-volume, kinetic-energy, settlement (mean, of the soil that was there at the start), "
        "largest-porosity, largest-uplift, eroded-area, water-front, soil-front."},
       {"monitor", "at", "", "points", false, "", any, infinity, R"([["3.5 m", "0.2 m"]])",

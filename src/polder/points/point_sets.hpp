@@ -54,8 +54,8 @@ struct SoilPoints {
   std::array<Array, axes> reference;        ///< m, position from which displacement counts
   Array mass;                               ///< kg of grains
   Array porosity;
-  Array water;  ///< m³ in its pores, as at no pressure (unsaturated formulation)
-  Array deviatoric_strain;                             ///< ∫ √(2/3 ė:ė) dt
+  Array water;              ///< m³ in its pores, as at no pressure (unsaturated formulation)
+  Array deviatoric_strain;  ///< ∫ √(2/3 ė:ė) dt
   std::array<Array, StressBatch<4>::max_state> state;  ///< the law's; [0]: plastic shear strain
   AlignedVector<std::uint64_t> id;
   AlignedVector<std::int32_t> home;

@@ -77,9 +77,9 @@ double uplift_length(const Simulation<Space>& run, const Point3& from, const Poi
   return length;
 }
 
-#define POLDER_GROUND_STRESS(Space)                                                                   \
-  template double total_vertical_stress(const Simulation<Space>&, const std::array<double, 3>&);      \
-  template double point_saturation(const Simulation<Space>&, std::size_t);                            \
+#define POLDER_GROUND_STRESS(Space)                                                              \
+  template double total_vertical_stress(const Simulation<Space>&, const std::array<double, 3>&); \
+  template double point_saturation(const Simulation<Space>&, std::size_t);                       \
   template double uplift_length(const Simulation<Space>&, const Point3&, const Point3&);
 POLDER_GROUND_STRESS(PlaneStrain)
 POLDER_GROUND_STRESS(Solid)

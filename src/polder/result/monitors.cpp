@@ -6,11 +6,8 @@
 #include <cmath>
 
 #include "polder/case/geometry.hpp"
-<<<<<<< HEAD
-#include "polder/result/measures.hpp"
-=======
 #include "polder/result/ground_stress.hpp"
->>>>>>> 328cf63 (Measure total vertical stress, saturation and uplift length of unsaturated ground)
+#include "polder/result/measures.hpp"
 #include "polder/step/face_loop.hpp"
 
 namespace polder {
@@ -128,14 +125,10 @@ std::vector<Part> parts_of(const Monitor& monitor) {
   if (q == "displacement") return {{" ux", "m"}, {" u" + up.substr(1), "m"}};
   if (q == "velocity" || q == "water-velocity") return {{" vx", "m/s"}, {" v" + up.substr(1), "m/s"}};
   if (q == "effective-stress") return {{" sxx", "Pa"}, {" s" + up.substr(1) + up.substr(1), "Pa"}};
-<<<<<<< HEAD
-  if (q == "pressure" || q == "excess-pressure") return {{"", "Pa"}};
+  if (q == "pressure" || q == "excess-pressure" || q == "total-stress") return {{"", "Pa"}};
   if (q == "wedge-angle") return {{"", "deg"}};
-=======
-  if (q == "pressure" || q == "total-stress") return {{"", "Pa"}};
   if (q == "saturation") return {{"", ""}};
   if (q == "uplift-length") return {{"", "m"}};
->>>>>>> 328cf63 (Measure total vertical stress, saturation and uplift length of unsaturated ground)
   if (q == "porosity" || q == "largest-porosity") return {{"", ""}};
   if (q == "discharge") return {{"", Space::axes == 3 ? "m3/s" : "m2/s"}};
   if (q == "water-surface" || q == "soil-surface" || q == "settlement" || q == "largest-uplift" || q == "water-front" ||
@@ -154,18 +147,15 @@ void sample_point(const Simulation<Space>& run, const Monitor& monitor, const Po
   const auto value = [&](auto& array) { return soil ? array[p] : 0.0; };
   if (q == "pressure") {
     row.push_back(run.pressure_at(soil && monitor.follows_soil ? at(state.soil, p) : std::array<double, 3>(place)));
-<<<<<<< HEAD
   } else if (q == "excess-pressure") {
     row.push_back(excess_pressure(run, soil && monitor.follows_soil ? Point3(at(state.soil, p)) : place));
   } else if (q == "wedge-angle") {
     row.push_back(wedge_angle(run, place));
-=======
   } else if (q == "total-stress") {
-    row.push_back(total_vertical_stress(run, soil && monitor.follows_soil ? at(state.soil, p)
-                                                                          : std::array<double, 3>(place)));
+    row.push_back(
+        total_vertical_stress(run, soil && monitor.follows_soil ? at(state.soil, p) : std::array<double, 3>(place)));
   } else if (q == "saturation") {
     row.push_back(soil ? point_saturation(run, p) : 0);
->>>>>>> 328cf63 (Measure total vertical stress, saturation and uplift length of unsaturated ground)
   } else if (q == "porosity") {
     row.push_back(value(state.soil.porosity));
   } else if (q == "displacement") {

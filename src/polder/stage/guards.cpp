@@ -139,6 +139,7 @@ void Guards<Space>::check_balances(const Stepper<Space>& state, const Audit<Spac
   };
   double stored = 0, mass = 0;
   for (const double v : state.water.volume) stored += v;
+  for (const double v : state.soil.water) stored += v;
   for (const double m : state.soil.mass) mass += m;
   const double water = audit.water_error_of(stored), solid = audit.solid_error_of(mass);
   if (!(water <= GuardLimits::water_balance)) fail("the balance of the water", water, GuardLimits::water_balance);

@@ -28,10 +28,10 @@ void set_unsaturated_k0_stress(const Model& model, const Setup<Space>& setup, So
     for (const std::size_t p : points) {
       const MaterialInput& material = model.materials[soil.material[p]];
       const double y = soil.position[up][p];
-      const double p_water =
-          model.water_table.empty()
-              ? 0
-              : std::max(weight_of_water * (height_at(model.water_table, soil.position[0][p]) - y), -model.suction_limit);
+      const double p_water = model.water_table.empty()
+                                 ? 0
+                                 : std::max(weight_of_water * (height_at(model.water_table, soil.position[0][p]) - y),
+                                            -model.suction_limit);
       const double wet = saturation(setup.pores[soil.material[p]].retention, -p_water);
       const double weight = model.gravity * ((1 - material.porosity) * material.grain_density +
                                              material.porosity * wet * model.water.density);

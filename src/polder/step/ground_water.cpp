@@ -36,8 +36,8 @@ Surface surface_of(const Lattice<Space>& lattice, const Array& bulk, std::ptrdif
   return top;
 }
 
-/// How far along the line (0 at its first point, 1 at its last) x is, of a part that is not upright; < 0 beside it. Also
-/// the line's height there and its length by a unit of x.
+/// How far along the line (0 at its first point, 1 at its last) x is, of a part that is not upright; < 0 beside it.
+/// Also the line's height there and its length by a unit of x.
 struct OnLine {
   double share = -1, height = 0, stretch = 1;
 };
@@ -122,8 +122,8 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
       if (condition.kind == Kind::closed || at.share < 0 || at.height > 1e-6 * h || !pores.active[lowest]) continue;
       const double head = head_of(condition, time, at.share);
       const bool given_head = condition.kind == Kind::head;
-      exits.push_back({lowest, way(lowest, Space::up, 0.5 * h), given_head ? weight * (head - 0.5 * h) : -weight * 0.5 * h,
-                       given_head ? unbounded : 0});
+      exits.push_back({lowest, way(lowest, Space::up, 0.5 * h),
+                       given_head ? weight * (head - 0.5 * h) : -weight * 0.5 * h, given_head ? unbounded : 0});
     }
   });
   // the two ends of the model
@@ -132,7 +132,7 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
     const double x = condition.line.front()[0];
     const bool upright = std::all_of(condition.line.begin(), condition.line.end(),
                                      [&](const auto& p) { return std::abs(p[0] - x) < 1e-6 * lattice.spacing[0]; });
-    const bool left = x < 1e-6 * lattice.spacing[0], right = x > lattice.length(0) - 1e-6 * lattice.spacing[0];
+    const bool left = x<1e-6 * lattice.spacing[0], right = x> lattice.length(0) - 1e-6 * lattice.spacing[0];
     if (!upright || (!left && !right)) continue;
     double low = 1e300, high = -1e300;
     for (const auto& p : condition.line) low = std::min(low, p[1]), high = std::max(high, p[1]);
@@ -143,8 +143,8 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
         const std::ptrdiff_t cell = Space::axes == 3 ? lattice.index(i, j, level) : lattice.index(i, level);
         if (y < low || y > high || !pores.active[cell] || pores.host[cell] >= 0) continue;
         const double over = condition.kind == Kind::head ? head_of(condition, time, 0) - y : 0;
-        exits.push_back({cell, way(cell, 0, 0.5 * lattice.spacing[0]), weight * std::max(over, 0.0),
-                         over > 0 ? unbounded : 0});
+        exits.push_back(
+            {cell, way(cell, 0, 0.5 * lattice.spacing[0]), weight * std::max(over, 0.0), over > 0 ? unbounded : 0});
       }
   }
   return exits;

@@ -1,6 +1,6 @@
 #pragma once
-// Where the pore water meets the outside in the unsaturated formulation: conditions along lines of the outline, a seepage
-// face on the ground where none is given, closed base and sides.
+// Where the pore water meets the outside in the unsaturated formulation: conditions along lines of the outline, a
+// seepage face on the ground where none is given, closed base and sides.
 #include "polder/points/tiles.hpp"
 #include "polder/step/pore_flow.hpp"
 

@@ -78,9 +78,7 @@ void choose_leaders(const Setup<Space>& setup, GridFields<Space>& grid, PoreFiel
     const std::ptrdiff_t s = lattice.stride[c];
     const double least = 1e-6 * lattice.cell_volume();
     auto& leader = pores.leader[c];
-    const auto borne = [&](std::ptrdiff_t f) {
-      return grid.soil_mass[c][f] > 0 && raw[c][f - s] + raw[c][f] > least;
-    };
+    const auto borne = [&](std::ptrdiff_t f) { return grid.soil_mass[c][f] > 0 && raw[c][f - s] + raw[c][f] > least; };
     const auto each = [&](auto&& body) {
       std::array<int, 3> n{1, 1, 1};
       for (int a = 0; a < Space::axes; ++a) n[a] = lattice.cells[a] + (a == c);
@@ -92,7 +90,7 @@ void choose_leaders(const Setup<Space>& setup, GridFields<Space>& grid, PoreFiel
       leader[f] = static_cast<std::int8_t>(Leader::itself);
       if (grid.soil_mass[c][f] <= 0 || borne(f)) return;
       const int place = c == 0 ? i : c == 1 ? j : k;
-      leader[f] = static_cast<std::int8_t>(place > 0 && borne(f - s)                ? Leader::below
+      leader[f] = static_cast<std::int8_t>(place > 0 && borne(f - s)                  ? Leader::below
                                            : place < lattice.cells[c] && borne(f + s) ? Leader::above
                                                                                       : Leader::none);
     });
@@ -194,9 +192,9 @@ void set_volume_change(const Setup<Space>& setup, const GridFields<Space>& grid,
   });
 }
 
-#define POLDER_PORE_CELLS(Space)                                                                              \
-  template void prepare_cells(const Setup<Space>&, double, GridFields<Space>&, PoreFields<Space>&);           \
-  template void fill_pores(const Setup<Space>&, const GridFields<Space>&, PoreFields<Space>&, Team&);         \
+#define POLDER_PORE_CELLS(Space)                                                                      \
+  template void prepare_cells(const Setup<Space>&, double, GridFields<Space>&, PoreFields<Space>&);   \
+  template void fill_pores(const Setup<Space>&, const GridFields<Space>&, PoreFields<Space>&, Team&); \
   template void set_volume_change(const Setup<Space>&, const GridFields<Space>&, PoreFields<Space>&, Team&);
 POLDER_PORE_CELLS(PlaneStrain)
 POLDER_PORE_CELLS(Solid)

@@ -38,24 +38,24 @@ struct PoreFields {
   }
 
   // in cells; volumes in m³, per metre in plane strain
-  Array bulk;                      ///< of the soil, by overlap of the points' boxes
-  Array yielding;                  ///< the part of it that deforms
-  Array water;                     ///< in its pores, as at no pressure
-  std::array<Array, 2> resistance; ///< μ/κ, Pa s/m², horizontal and vertical, mean over the cell
-  std::vector<Array> composition;  ///< pore volume by material
-  Array pores;                     ///< of all materials
-  FaceField<Space> weight;         ///< by axis: volume over which the cell's pressure acts, and its strain is counted
-  Array saturation;                ///< S at the start of the step, mean over the pores
-  Array relative;                  ///< k_r
-  Array content, storage;          ///< Θ(p), m³, and dΘ/dp, m³/Pa
-  Array volume_change;             ///< D, m³/s, by the faces' velocities
-  Array points_change;             ///< the same by the points' own strains
-  Array correction;                ///< 1/s, of the points' rates of dilation
-  Array surplus;                   ///< water beyond Θ, over the pores
-  FaceField<Space> flow;           ///< m³/s of water through a face, along the axis, relative to the grains
-  FaceField<Space> held_mass;      ///< kg of soil that never moves
-  AlignedVector<std::int32_t> host;   ///< cell that stands for one without soil of its own; −1: itself
-  AlignedVector<std::uint8_t> active; ///< has a pressure
+  Array bulk;                        ///< of the soil, by overlap of the points' boxes
+  Array yielding;                    ///< the part of it that deforms
+  Array water;                       ///< in its pores, as at no pressure
+  std::array<Array, 2> resistance;   ///< μ/κ, Pa s/m², horizontal and vertical, mean over the cell
+  std::vector<Array> composition;    ///< pore volume by material
+  Array pores;                       ///< of all materials
+  FaceField<Space> weight;           ///< by axis: volume over which the cell's pressure acts, and its strain is counted
+  Array saturation;                  ///< S at the start of the step, mean over the pores
+  Array relative;                    ///< k_r
+  Array content, storage;            ///< Θ(p), m³, and dΘ/dp, m³/Pa
+  Array volume_change;               ///< D, m³/s, by the faces' velocities
+  Array points_change;               ///< the same by the points' own strains
+  Array correction;                  ///< 1/s, of the points' rates of dilation
+  Array surplus;                     ///< water beyond Θ, over the pores
+  FaceField<Space> flow;             ///< m³/s of water through a face, along the axis, relative to the grains
+  FaceField<Space> held_mass;        ///< kg of soil that never moves
+  AlignedVector<std::int32_t> host;  ///< cell that stands for one without soil of its own; −1: itself
+  AlignedVector<std::uint8_t> active;  ///< has a pressure
   std::array<AlignedVector<std::int8_t>, Space::axes> leader;
 
   // of points, in their order

@@ -126,9 +126,9 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
       over_face_rows(lattice, grid.rows, a, team, [&](std::ptrdiff_t first, int count, const auto&) {
         const std::ptrdiff_t s = lattice.stride[a];
         for (std::ptrdiff_t f = first; f < first + count; ++f)
-          grid.soil_velocity[a][f] +=
-              grid.soil_response[a][f] / lattice.spacing[a] *
-              (pores.weight[a][f - s] * coupled[f - s] * increment[f - s] - pores.weight[a][f] * coupled[f] * increment[f]);
+          grid.soil_velocity[a][f] += grid.soil_response[a][f] / lattice.spacing[a] *
+                                      (pores.weight[a][f - s] * coupled[f - s] * increment[f - s] -
+                                       pores.weight[a][f] * coupled[f] * increment[f]);
       });
   }
   return total;
@@ -137,7 +137,7 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
 template SolveResult solve_pore_pressure(const Setup<PlaneStrain>&, double, double, std::vector<PoreExit>&,
                                          GridFields<PlaneStrain>&, PoreFields<PlaneStrain>&,
                                          PressureSolver<PlaneStrain>&, Team&);
-template SolveResult solve_pore_pressure(const Setup<Solid>&, double, double, std::vector<PoreExit>&, GridFields<Solid>&,
-                                         PoreFields<Solid>&, PressureSolver<Solid>&, Team&);
+template SolveResult solve_pore_pressure(const Setup<Solid>&, double, double, std::vector<PoreExit>&,
+                                         GridFields<Solid>&, PoreFields<Solid>&, PressureSolver<Solid>&, Team&);
 
 }  // namespace polder

@@ -27,8 +27,8 @@ void prepare_cells(const Setup<Space>& setup, double gravity, GridFields<Space>&
 template <class Space>
 void fill_pores(const Setup<Space>& setup, const GridFields<Space>& grid, PoreFields<Space>& pores, Team& team);
 
-/// Solves for the pressures. In: `grid.soil_velocity` with the old pressures' force, `grid.soil_response`, its change by
-/// a force (m/s per N). Out: pressures, velocities, flows, `exits[].out`.
+/// Solves for the pressures. In: `grid.soil_velocity` with the old pressures' force, `grid.soil_response`, its change
+/// by a force (m/s per N). Out: pressures, velocities, flows, `exits[].out`.
 template <class Space>
 SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gravity, std::vector<PoreExit>& exits,
                                 GridFields<Space>& grid, PoreFields<Space>& pores, PressureSolver<Space>& solver,

@@ -49,16 +49,16 @@ struct Setup {
   std::vector<OpenSide> open_sides;
   std::vector<Table> loads;  ///< Pa on the ground, of the time in s
   Numerics numerics;
-  double gravity = 9.81;      ///< m/s²
-  int points_per_axis = 2;    ///< of a full cell at the start
-  bool single_point = false;  ///< soil points carry the water of their pores
-  bool unsaturated = false;   ///< likewise, and their pores may hold air
-  std::vector<PoreSpace> pores;                ///< of the materials; unsaturated formulation
-  std::vector<SeepageCondition> pore_water;    ///< along lines of the outline; likewise
+  double gravity = 9.81;                           ///< m/s²
+  int points_per_axis = 2;                         ///< of a full cell at the start
+  bool single_point = false;                       ///< soil points carry the water of their pores
+  bool unsaturated = false;                        ///< likewise, and their pores may hold air
+  std::vector<PoreSpace> pores;                    ///< of the materials; unsaturated formulation
+  std::vector<SeepageCondition> pore_water;        ///< along lines of the outline; likewise
   std::vector<std::array<double, 2>> water_table;  ///< at the start, (x, height) in m; likewise
-  double suction_limit = 1e300;                ///< Pa, above the water table at the start; likewise
-  bool anisotropic = false;   ///< some material drains differently in the vertical
-  double soil_step = 1e300;   ///< s, CFL limit of the drained P-wave
+  double suction_limit = 1e300;                    ///< Pa, above the water table at the start; likewise
+  bool anisotropic = false;                        ///< some material drains differently in the vertical
+  double soil_step = 1e300;                        ///< s, CFL limit of the drained P-wave
 
   /// Whether nothing crosses this face, for a thin wall or a body that covers it.
   bool shut(int axis, std::ptrdiff_t face) const { return walls.blocked(axis, face) || bodies.closed(axis, face); }

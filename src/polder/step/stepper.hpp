@@ -65,9 +65,9 @@ class Stepper {
   GridFields<Space> grid;
   std::uint64_t step = 0;  ///< steps taken
   std::uint64_t next_water_id = 0;
-  Motion motion;                           ///< of the last step
-  double drift_water = 0, drift_soil = 0;  ///< cells, since the last sort
-  std::vector<Exchange> exchanged;         ///< with reservoirs, in the last step
+  Motion motion;                                        ///< of the last step
+  double drift_water = 0, drift_soil = 0;               ///< cells, since the last sort
+  std::vector<Exchange> exchanged;                      ///< with reservoirs, in the last step
   std::unique_ptr<UnsaturatedStep<Space>> unsaturated;  ///< of that formulation
   StepTimes times;
   Team team;

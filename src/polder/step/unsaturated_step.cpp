@@ -117,8 +117,8 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
   Array left = pores.water;
   for (std::ptrdiff_t row = 0; row < lattice.row_count(); ++row)
     for (int i = 0; i < lattice.cells[0]; ++i) {
-      const std::ptrdiff_t cell = lattice.index(i, static_cast<int>(row % lattice.cells[1]),
-                                                static_cast<int>(row / lattice.cells[1]));
+      const std::ptrdiff_t cell =
+          lattice.index(i, static_cast<int>(row % lattice.cells[1]), static_cast<int>(row / lattice.cells[1]));
       for (int a = 0; a < Space::axes; ++a) {
         if (lattice.place(cell, a) == 0) continue;
         left[cell] += dt * pores.flow[a][cell];
@@ -130,11 +130,11 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
     exchanged.push_back({exit.cell, -dt * exit.out});
   }
   const double thin = thin_cell * lattice.cell_volume();
-  Array beyond = lattice.make_array();  // Θ(p)
+  Array beyond = lattice.make_array();                                 // Θ(p)
   for (std::ptrdiff_t row = lattice.row_count() - 1; row >= 0; --row)  // from above, so that each passes on once
     for (int i = lattice.cells[0] - 1; i >= 0; --i) {
-      const std::ptrdiff_t cell = lattice.index(i, static_cast<int>(row % lattice.cells[1]),
-                                                static_cast<int>(row / lattice.cells[1]));
+      const std::ptrdiff_t cell =
+          lattice.index(i, static_cast<int>(row % lattice.cells[1]), static_cast<int>(row / lattice.cells[1]));
       beyond[cell] += left[cell] - pores.content[cell];
       if (pores.bulk[cell] > thin || beyond[cell] == 0) continue;
       std::ptrdiff_t to = pores.host[cell];
@@ -182,10 +182,8 @@ void UnsaturatedStep<Space>::judge(const Setup<Space>& setup, double dt, const S
         const double e = 0.5 * (pores.gradient[c * Space::axes + a][p] + pores.gradient[a * Space::axes + c][p]);
         rate += 2 * e * e;
       }
-    const double confinement =
-        std::max(1e3, -(soil.stress[0][p] + soil.stress[1][p] + soil.stress[2][p]) / 3);  // Pa
-    calm.inertial_number =
-        std::max(calm.inertial_number, std::sqrt(rate * inertia(p) / volume(p) / confinement) * h);
+    const double confinement = std::max(1e3, -(soil.stress[0][p] + soil.stress[1][p] + soil.stress[2][p]) / 3);  // Pa
+    calm.inertial_number = std::max(calm.inertial_number, std::sqrt(rate * inertia(p) / volume(p) / confinement) * h);
   }
   if (calm.stretch > 1 || setup.numerics.mass_scaling > 1) {
     calm.worst_energy_ratio = std::max(calm.worst_energy_ratio, calm.energy_ratio);

@@ -44,10 +44,8 @@ void use_cell_differences(ChunkWeights<Space>& chunk, int count) {
     }
 }
 
-inline Vec4 difference_row(double delta) {
-  constexpr Vec4 low{-1, 1, 0, 0}, high{0, -1, 1, 0};
-  return own_face(delta) == 0 ? low : high;
-}
+/// The difference between the faces of a point's own cell, in a row that starts one cell before.
+constexpr Vec4 difference_row{0, -1, 1, 0};
 
 /// Runs body(first point, count) over chunks of every tile, colour after colour.
 template <class Space, class Body>
@@ -77,8 +75,8 @@ void scatter_component(const Lattice<Space>& lattice, const SoilPoints<Space>& p
   for (int l = 0; l < count; ++l) {
     const std::size_t p = first + static_cast<std::size_t>(l);
     const double m = load.inertia[l], v = -load.volume[l];
-    const SplineRow row = spline_row(chunk.delta[0][c == 0][l]);
-    const Vec4 slope = c == 0 ? difference_row(chunk.delta[0][1][l]) : row.derivative;
+    const SplineRow row = x_row<c>(chunk, l);
+    const Vec4 slope = c == 0 ? difference_row : row.derivative;
     const auto affine = [&](int a) { return points.affine[c * axes + a][p]; };
     const auto stress = [&](int a) { return points.stress[stress_index<Space>(c, a)][p]; };
     const Vec4 mass_row = m * row.weight, held_row = load.held[l] * row.weight;
@@ -118,7 +116,7 @@ void scatter_weight(const Lattice<Space>& lattice, const double* volume, int cou
   for (int l = 0; l < count; ++l) {
     if (volume[l] == 0) continue;
     constexpr Vec4 own{0, 1, 0, 0};
-    const Vec4 row = volume[l] * (c == 0 ? own : spline_row(chunk.delta[0][0][l]).weight);
+    const Vec4 row = volume[l] * (c == 0 ? own : centre_row(chunk.delta[0][0][l]).weight);
     double* base = field + chunk.cell_base[l];
     const auto across = [&](int a, int i) { return a == c ? (i == 1 ? 1.0 : 0.0) : chunk.weight[a][0][i][l]; };
     for (int k = 0; k < (Space::axes == 3 ? 3 : 1); ++k)
@@ -232,7 +230,7 @@ Motion gather_rates(const Setup<Space>& setup, const GridFields<Space>& grid, co
         over_rows<c>(chunk, lattice, l, [&](std::ptrdiff_t at, double wy, double, double, double wz, double, double) {
           sum += (wy * wz) * load4(base + at);
         });
-        gathered.gradient[0][l] = sum_lanes(sum * difference_row(chunk.delta[0][1][l]));
+        gathered.gradient[0][l] = sum_lanes(sum * difference_row);
       }
       for (int l = 0; l < count; ++l) {
         const std::size_t p = first + static_cast<std::size_t>(l);
@@ -267,8 +265,9 @@ void correct_dilation(const Setup<Space>& setup, const Tiling<Space>& tiling, co
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       if (!yields(p)) continue;
       const double change = bulk_volume(setup, soil, p) * pores.dilation[p];
-      box_of(setup, soil, p).over_cells(
-          lattice, [&](std::ptrdiff_t cell, double share) { pores.points_change[cell] += share * change; });
+      box_of(setup, soil, p).over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
+        pores.points_change[cell] += share * change;
+      });
     }
   });
   const double thin = 0.05 * lattice.cell_volume();
@@ -280,8 +279,9 @@ void correct_dilation(const Setup<Space>& setup, const Tiling<Space>& tiling, co
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       if (!yields(p)) continue;
       double add = 0;
-      box_of(setup, soil, p).over_cells(
-          lattice, [&](std::ptrdiff_t cell, double share) { add += share * pores.correction[cell]; });
+      box_of(setup, soil, p).over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
+        add += share * pores.correction[cell];
+      });
       pores.dilation[p] += add;
     }
   });
@@ -301,7 +301,8 @@ Motion strain_points(const Setup<Space>& setup, double dt, const GridFields<Spac
     for (int c = 0; c < Space::axes; ++c)
       for (int a = 0; a < Space::axes; ++a)
         std::copy_n(pores.gradient[c * Space::axes + a].data() + first, count, gradients.at[c][a]);
-    update_soil(setup, dt, first, count, gradients, pores.dilation.data() + first, soil);
+    double shear[chunk_size];
+    update_soil(setup, dt, first, count, gradients, pores.dilation.data() + first, soil, shear);
   });
   motion.drift = motion.speed * dt;
   return motion;
@@ -317,7 +318,8 @@ void move_points(const Setup<Space>& setup, double dt, const GridFields<Space>& 
       double filled = 0;
       box_of(setup, soil, p).over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
         if (share == 0) return;
-        filled += share * (water_ratio(space, grid.pressure[cell], setup.water.bulk_modulus).value + pores.surplus[cell]);
+        filled +=
+            share * (water_ratio(space, grid.pressure[cell], setup.water.bulk_modulus).value + pores.surplus[cell]);
       });
       soil.water[p] = soil.porosity[p] * bulk_volume(setup, soil, p) * filled;
       if (setup.materials[soil.material[p]].fixed) continue;
@@ -329,15 +331,15 @@ void move_points(const Setup<Space>& setup, double dt, const GridFields<Space>& 
   });
 }
 
-#define POLDER_UNSATURATED_TRANSFER(Space)                                                                            \
-  template double box_half(const Setup<Space>&, const SoilPoints<Space>&, std::size_t);                               \
+#define POLDER_UNSATURATED_TRANSFER(Space)                                                                             \
+  template double box_half(const Setup<Space>&, const SoilPoints<Space>&, std::size_t);                                \
   template void mixture_to_grid(const Setup<Space>&, const SoilPoints<Space>&, const Tiling<Space>&, InertiaRule,      \
-                                double, GridFields<Space>&, PoreFields<Space>&, Team&);                               \
-  template Motion strain_points(const Setup<Space>&, double, const GridFields<Space>&, const Tiling<Space>&,          \
-                                SoilPoints<Space>&, PoreFields<Space>&, Team&);                                       \
+                                double, GridFields<Space>&, PoreFields<Space>&, Team&);                                \
+  template Motion strain_points(const Setup<Space>&, double, const GridFields<Space>&, const Tiling<Space>&,           \
+                                SoilPoints<Space>&, PoreFields<Space>&, Team&);                                        \
   template void pores_to_grid(const Setup<Space>&, const SoilPoints<Space>&, const Tiling<Space>&, PoreFields<Space>&, \
-                              Team&);                                                                                 \
-  template void move_points(const Setup<Space>&, double, const GridFields<Space>&, const Tiling<Space>&,              \
+                              Team&);                                                                                  \
+  template void move_points(const Setup<Space>&, double, const GridFields<Space>&, const Tiling<Space>&,               \
                             const PoreFields<Space>&, SoilPoints<Space>&, Team&);
 POLDER_UNSATURATED_TRANSFER(PlaneStrain)
 POLDER_UNSATURATED_TRANSFER(Solid)

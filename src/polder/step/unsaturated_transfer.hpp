@@ -1,6 +1,6 @@
 #pragma once
-// Points to grid and back in the unsaturated formulation. Derivatives along a component's own axis are the difference of
-// the two faces of the point's cell: B-splines would smear the strain of soft soil into stiff soil beside it.
+// Points to grid and back in the unsaturated formulation. Derivatives along a component's own axis are the difference
+// of the two faces of the point's cell: B-splines would smear the strain of soft soil into stiff soil beside it.
 #include "polder/points/tiles.hpp"
 #include "polder/step/fields.hpp"
 #include "polder/step/grid_to_points.hpp"

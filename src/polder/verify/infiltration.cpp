@@ -1,7 +1,7 @@
 // Rain on an unsaturated column over a water table (Srivastava and Yeh 1991): Gardner's soil, k = k_s e^{αψ}, θ = θ_r +
 // (θ_s − θ_r) e^{αψ}, linear in K = e^{αψ}. With z' = αz, t' = αk_s t/(θ_s − θ_r), rain q over k_s:
-//   K = q_B − (q_B − 1) e^{−z'} − 4 (q_B − q_A) e^{(L'−z')/2} e^{−t'/4} Σ sin(λz') sin(λL') e^{−λ²t'}/(1 + L'/2 + 2λ²L'),
-//   tan(λL') + 2λ = 0.
+//   K = q_B − (q_B − 1) e^{−z'} − 4 (q_B − q_A) e^{(L'−z')/2} e^{−t'/4} Σ sin(λz') sin(λL') e^{−λ²t'}/(1 + L'/2 +
+//   2λ²L'), tan(λL') + 2λ = 0.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -31,8 +31,8 @@ struct Column {
       if (a * a * T > 60) break;
       sum += std::sin(a * Z) * std::sin(a * L) * std::exp(-a * a * T) / (1 + L / 2 + 2 * a * a * L);
     }
-    const double k = after - (after - 1) * std::exp(-Z) -
-                     4 * (after - before) * std::exp((L - Z) / 2) * std::exp(-T / 4) * sum;
+    const double k =
+        after - (after - 1) * std::exp(-Z) - 4 * (after - before) * std::exp((L - Z) / 2) * std::exp(-T / 4) * sum;
     return std::log(k) / rate;
   }
 };
