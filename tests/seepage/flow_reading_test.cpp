@@ -35,9 +35,9 @@ Model box() {
 SeepageInput between_two_heads() {
   using Kind = SeepageCondition::Kind;
   SeepageInput input;
-  input.conditions = {{"left", Kind::head, {{0, 0}, {0, 1}}, Table::constant(1.5), {}, 0},
-                      {"right", Kind::head, {{4, 0}, {4, 1}}, Table::constant(1.1), {}, 0},
-                      {"top", Kind::closed, {{0, 1}, {4, 1}}, {}, {}, 0}};
+  input.conditions = {{"left", Kind::head, {{0, 0}, {0, 1}}, Table::constant(1.5), {}, Table::constant(0)},
+                      {"right", Kind::head, {{4, 0}, {4, 1}}, Table::constant(1.1), {}, Table::constant(0)},
+                      {"top", Kind::closed, {{0, 1}, {4, 1}}, {}, {}, Table::constant(0)}};
   return input;
 }
 
@@ -67,8 +67,12 @@ TEST(FlowReading, UniformFlowIsReadExactly) {
 TEST(FlowReading, HeadMayFallAlongABoundary) {
   SeepageInput input = between_two_heads();
   input.conditions.erase(input.conditions.begin(), input.conditions.begin() + 2);
-  input.conditions.push_back(
-      {"base", SeepageCondition::Kind::head, {{0, 0}, {4, 0}}, Table::constant(1.5), Table::constant(1.1), 0});
+  input.conditions.push_back({"base",
+                              SeepageCondition::Kind::head,
+                              {{0, 0}, {4, 0}},
+                              Table::constant(1.5),
+                              Table::constant(1.1),
+                              Table::constant(0)});
   const Model model = box();
   const ModelFlow flow = model_flow(model, input);
   const FlowSolver solver(flow.problem());
