@@ -69,6 +69,15 @@ struct Lattice {
   Array make_array() const { return Array(static_cast<std::size_t>(size), 0.0); }
 };
 
+/// body(cell, place) for every cell of the lattice, row after row, from below upwards.
+template <class Space, class Body>
+void over_all_cells(const Lattice<Space>& lattice, Body&& body) {
+  for (std::ptrdiff_t row = 0; row < lattice.row_count(); ++row) {
+    const int j = static_cast<int>(row % lattice.cells[1]), k = static_cast<int>(row / lattice.cells[1]);
+    for (int i = 0; i < lattice.cells[0]; ++i) body(lattice.index(i, j, k), std::array<int, 3>{i, j, k});
+  }
+}
+
 /// One array per component of a vector on the faces.
 template <class Space>
 using FaceField = std::array<Array, static_cast<std::size_t>(Space::axes)>;

@@ -53,8 +53,10 @@ struct Drag {
   double at_start = 0;     ///< Pa s/m², the linear part at n₀
   double solid_start = 1;  ///< 1 − n₀
 
-  /// Whether packed_resistance() says it all.
-  bool packed() const { return !power && (law == DragLaw::ergun || law == DragLaw::darcy); }
+  /// Whether linear_resistance() and quadratic_resistance() say it all.
+  bool plain() const { return law == DragLaw::ergun || law == DragLaw::darcy; }
+  /// Whether packed_resistance() does.
+  bool packed() const { return plain() && !power; }
 };
 
 /// μ/κ(n), Pa s/m²: what resists slow flow in packed soil.

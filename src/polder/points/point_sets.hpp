@@ -106,4 +106,20 @@ std::size_t append_points(Points& points, std::size_t count) {
   return first;
 }
 
+/// Where point p is, m; axes that the space has not got are 0.
+template <class Points>
+std::array<double, 3> position_of(const Points& points, std::size_t p) {
+  std::array<double, 3> x{0, 0, 0};
+  for (int a = 0; a < Points::axes; ++a) x[a] = points.position[a][p];
+  return x;
+}
+
+/// |v|² of point p, m²/s².
+template <class Points>
+double speed_squared(const Points& points, std::size_t p) {
+  double square = 0;
+  for (const auto& v : points.velocity) square += v[p] * v[p];
+  return square;
+}
+
 }  // namespace polder

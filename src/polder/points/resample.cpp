@@ -14,13 +14,6 @@ namespace {
 constexpr double split_distance = 0.35;  // × edge of the point's bulk box, to either side
 
 template <class Space>
-std::array<double, 3> position_of(const WaterPoints<Space>& water, std::size_t p) {
-  std::array<double, 3> x{0, 0, 0};
-  for (int a = 0; a < Space::axes; ++a) x[a] = water.position[a][p];
-  return x;
-}
-
-template <class Space>
 double bulk_volume(const Lattice<Space>& lattice, const Array& cell_porosity, const WaterPoints<Space>& water,
                    std::size_t p) {
   const auto cell = cell_of(lattice, position_of(water, p));

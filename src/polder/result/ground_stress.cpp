@@ -4,24 +4,13 @@
 #include <cmath>
 #include <vector>
 
+#include "polder/step/soil_volume.hpp"
+
 namespace polder {
 
 namespace {
 
 constexpr double lifted_below = 2e3;  // Pa
-
-template <class Space>
-double bulk_volume(const Simulation<Space>& run, std::size_t p) {
-  const auto& soil = run.state().soil;
-  return soil.mass[p] / (run.state().setup.materials[soil.material[p]].grain_density * (1 - soil.porosity[p]));
-}
-
-template <class Space>
-std::array<double, 3> place_of(const Simulation<Space>& run, std::size_t p) {
-  std::array<double, 3> x{0, 0, 0};
-  for (int a = 0; a < Space::axes; ++a) x[a] = run.state().soil.position[a][p];
-  return x;
-}
 
 }  // namespace
 
@@ -29,7 +18,8 @@ template <class Space>
 double point_saturation(const Simulation<Space>& run, std::size_t p) {
   const auto& setup = run.state().setup;
   if (!setup.unsaturated) return run.state().soil.saturated[p] ? 1 : 0;
-  return saturation(setup.pores[run.state().soil.material[p]].retention, -run.pressure_at(place_of(run, p)));
+  return saturation(setup.pores[run.state().soil.material[p]].retention,
+                    -run.pressure_at(position_of(run.state().soil, p)));
 }
 
 template <class Space>
@@ -40,12 +30,12 @@ double total_vertical_stress(const Simulation<Space>& run, const std::array<doub
   const auto& h = state.setup.lattice.spacing;
   double volume = 0, stress = 0;
   for (std::size_t p = 0; p < soil.size(); ++p) {
-    const auto x = place_of(run, p);
+    const auto x = position_of(run.state().soil, p);
     const double above = x[up] - place[up];
     bool near = above > 0 && above < h[up];
     for (int a = 0; a < Space::axes; ++a) near = near && (a == up || std::abs(x[a] - place[a]) < 1.5 * h[a]);
     if (!near) continue;
-    const double v = bulk_volume(run, p), pressure = run.pressure_at(x);
+    const double v = bulk_volume(state.setup, soil, p), pressure = run.pressure_at(x);
     const double wet = state.setup.unsaturated ? point_saturation(run, p) : 1;
     const double density = (soil.mass[p] + state.setup.water.density * soil.water[p]) / v;
     volume += v;
@@ -65,7 +55,7 @@ double uplift_length(const Simulation<Space>& run, const Point3& from, const Poi
     const double above = soil.reference[up][p] - level;  // the row that lay on the line at the start
     if (above <= 0 || above >= lattice.spacing[up]) continue;
     const auto column = static_cast<std::size_t>(soil.position[0][p] / lattice.spacing[0]);
-    const double v = bulk_volume(run, p);
+    const double v = bulk_volume(run.state().setup, soil, p);
     volume[column] += v;
     stress[column] -= v * soil.stress[up][p];
   }

@@ -28,11 +28,6 @@ std::array<double, 3> place_of(const std::array<Array, Space::axes>& position, s
   return x;
 }
 
-template <class Space>
-bool inside(const Region& region, const std::array<double, 3>& x) {
-  return region.polygon.empty() || contains(region, x[0], Space::axes == 3 ? x[1] : 0, x[Space::up]);
-}
-
 /// Where a profile along x, column by column, last falls below half a cell.
 template <class Space>
 double front_of(const Lattice<Space>& lattice, const std::vector<double>& height) {

@@ -2,6 +2,7 @@
 // What is measured on a state as one would on a photograph of the experiment: surfaces, fronts, eroded area, uplift.
 #include <vector>
 
+#include "polder/case/geometry.hpp"
 #include "polder/stage/simulation.hpp"
 
 namespace polder {
@@ -44,5 +45,11 @@ double excess_pressure(const Simulation<Space>& run, const Point3& place);
 /// squares of x). 0 while nothing is lifted.
 template <class Space>
 double wedge_angle(const Simulation<Space>& run, const Point3& edge);
+
+/// Whether a region that may be left out, which means everywhere, contains a place.
+template <class Space>
+bool inside(const Region& region, const std::array<double, 3>& x) {
+  return region.polygon.empty() || contains(region, x[0], Space::axes == 3 ? x[1] : 0, x[Space::up]);
+}
 
 }  // namespace polder

@@ -14,25 +14,6 @@ namespace polder {
 
 namespace {
 
-template <class Points>
-std::array<double, 3> at(const Points& points, std::size_t p) {
-  std::array<double, 3> x{0, 0, 0};
-  for (int a = 0; a < Points::axes; ++a) x[a] = points.position[a][p];
-  return x;
-}
-
-template <class Space>
-bool inside(const Region& region, const std::array<double, 3>& x) {
-  return region.polygon.empty() || contains(region, x[0], Space::axes == 3 ? x[1] : 0, x[Space::up]);
-}
-
-template <class Points>
-double speed_squared(const Points& points, std::size_t p) {
-  double square = 0;
-  for (const auto& v : points.velocity) square += v[p] * v[p];
-  return square;
-}
-
 template <class Space>
 double displacement(const SoilPoints<Space>& soil, std::size_t p) {
   double square = 0;
@@ -146,14 +127,15 @@ void sample_point(const Simulation<Space>& run, const Monitor& monitor, const Po
   const auto& q = monitor.quantity;
   const auto value = [&](auto& array) { return soil ? array[p] : 0.0; };
   if (q == "pressure") {
-    row.push_back(run.pressure_at(soil && monitor.follows_soil ? at(state.soil, p) : std::array<double, 3>(place)));
+    row.push_back(
+        run.pressure_at(soil && monitor.follows_soil ? position_of(state.soil, p) : std::array<double, 3>(place)));
   } else if (q == "excess-pressure") {
-    row.push_back(excess_pressure(run, soil && monitor.follows_soil ? Point3(at(state.soil, p)) : place));
+    row.push_back(excess_pressure(run, soil && monitor.follows_soil ? Point3(position_of(state.soil, p)) : place));
   } else if (q == "wedge-angle") {
     row.push_back(wedge_angle(run, place));
   } else if (q == "total-stress") {
-    row.push_back(
-        total_vertical_stress(run, soil && monitor.follows_soil ? at(state.soil, p) : std::array<double, 3>(place)));
+    row.push_back(total_vertical_stress(
+        run, soil && monitor.follows_soil ? position_of(state.soil, p) : std::array<double, 3>(place)));
   } else if (q == "saturation") {
     row.push_back(soil ? point_saturation(run, p) : 0);
   } else if (q == "porosity") {
@@ -254,8 +236,9 @@ std::vector<double> Monitors<Space>::sample(const Simulation<Space>& run, double
       const double v = solid_volume(run, p);
       total += v;
       moved += v * displacement(soil, p);
-      const bool in = std::any_of(model_.soils.begin(), model_.soils.end(),
-                                  [&](const SoilBody& body) { return inside<Space>(body.region, at(soil, p)); });
+      const bool in = std::any_of(model_.soils.begin(), model_.soils.end(), [&](const SoilBody& body) {
+        return inside<Space>(body.region, position_of(soil, p));
+      });
       if (!in) outside += v;
       if (soil.fluid[p]) fluid += v / (1 - soil.porosity[p]);
       loosest = std::max(loosest, soil.porosity[p]);
@@ -287,7 +270,7 @@ std::vector<double> Monitors<Space>::sample(const Simulation<Space>& run, double
         sum = weight > 0 ? sum / weight : 0;
       } else if (monitor.quantity == "largest-porosity") {
         for (std::size_t p = 0; p < soil.size(); ++p)
-          if (inside<Space>(monitor.region, at(soil, p))) sum = std::max(sum, soil.porosity[p]);
+          if (inside<Space>(monitor.region, position_of(soil, p))) sum = std::max(sum, soil.porosity[p]);
       } else if (monitor.quantity == "eroded-area") {
         sum = eroded_area(run, monitor.region, before_[follower.soil_id]);
       } else if (monitor.quantity == "largest-uplift") {
@@ -303,12 +286,12 @@ std::vector<double> Monitors<Space>::sample(const Simulation<Space>& run, double
       if (water || grains) {
         if (water)
           for (std::size_t p = 0; p < state.water.size(); ++p)
-            if (inside<Space>(monitor.region, at(state.water, p)))
+            if (inside<Space>(monitor.region, position_of(state.water, p)))
               sum += state.water.volume[p] *
                      (kinetic ? 0.5 * state.setup.water.density * speed_squared(state.water, p) : 1);
         if (grains)
           for (std::size_t p = 0; p < soil.size(); ++p)
-            if (inside<Space>(monitor.region, at(soil, p)))
+            if (inside<Space>(monitor.region, position_of(soil, p)))
               sum +=
                   kinetic ? 0.5 * soil.mass[p] * speed_squared(soil, p) : solid_volume(run, p) / (1 - soil.porosity[p]);
       }

@@ -26,7 +26,8 @@ namespace {
 /// Water in the model, m³: of the water points and, in the unsaturated formulation, in the soil points' pores.
 template <class Space>
 double stored_water(const Stepper<Space>& state) {
-  return sum_by_id(state.water.id, state.water.volume) + sum_by_id(state.soil.id, state.soil.water);
+  const double free = sum_by_id(state.water.id, state.water.volume);
+  return state.setup.unsaturated ? free + sum_by_id(state.soil.id, state.soil.water) : free;
 }
 
 }  // namespace

@@ -6,25 +6,13 @@
 #include <cmath>
 
 #include "polder/stage/sound.hpp"
+#include "polder/step/soil_volume.hpp"
 
 namespace polder {
 
 namespace {
 
 constexpr std::uint64_t between_sums = 16;  // steps from one look at what takes sums over all points to the next
-
-template <class Points>
-double speed_squared(const Points& points, std::size_t p) {
-  double square = 0;
-  for (const auto& v : points.velocity) square += v[p] * v[p];
-  return square;
-}
-
-template <class Space>
-double volume_of(const Stepper<Space>& state, std::size_t p) {
-  const auto& soil = state.soil;
-  return soil.mass[p] / state.setup.materials[soil.material[p]].grain_density / (1 - soil.porosity[p]);
-}
 
 /// Kinetic and potential energy of both phases, J.
 template <class Space>
@@ -34,7 +22,8 @@ double mechanical_energy(const Stepper<Space>& state) {
   const auto& soil = state.soil;
   for (std::size_t p = 0; p < soil.size(); ++p) {
     double mass = soil.mass[p];
-    if (state.setup.single_point && soil.saturated[p]) mass += rho * soil.porosity[p] * volume_of(state, p);
+    if (state.setup.single_point && soil.saturated[p])
+      mass += rho * soil.porosity[p] * bulk_volume(state.setup, state.soil, p);
     energy += mass * (0.5 * speed_squared(soil, p) + g * soil.position[Space::up][p]);
   }
   const auto& water = state.water;
@@ -56,7 +45,7 @@ double strain_energy(const Stepper<Space>& state) {
     double square = 0;
     for (std::size_t s = 0; s < soil.stress.size(); ++s) square += (s < 3 ? 1 : 2) * std::pow(soil.stress[s][p], 2);
     const double modulus = material.law->constrained_modulus(std::max(mean, 0.0));
-    if (modulus > 0) energy += 3 * volume_of(state, p) * square / (2 * modulus);
+    if (modulus > 0) energy += 3 * bulk_volume(state.setup, state.soil, p) * square / (2 * modulus);
   }
   return energy;
 }

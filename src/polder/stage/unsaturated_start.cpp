@@ -4,15 +4,14 @@
 #include <cmath>
 #include <map>
 
-#include "polder/case/geometry.hpp"
 #include "polder/stage/initial.hpp"
+#include "polder/step/unsaturated_step.hpp"
 
 namespace polder {
 
 template <class Space>
 void set_unsaturated_k0_stress(const Model& model, const Setup<Space>& setup, SoilPoints<Space>& soil) {
   constexpr int up = Space::up;
-  const double weight_of_water = model.water.density * model.gravity;
   std::array<double, 3> d{1, 1, 1};
   for (int a = 0; a < Space::axes; ++a) d[a] = setup.lattice.spacing[a] / model.points_per_axis;
   std::map<std::pair<long, long>, std::vector<std::size_t>> columns;
@@ -28,10 +27,7 @@ void set_unsaturated_k0_stress(const Model& model, const Setup<Space>& setup, So
     for (const std::size_t p : points) {
       const MaterialInput& material = model.materials[soil.material[p]];
       const double y = soil.position[up][p];
-      const double p_water = model.water_table.empty()
-                                 ? 0
-                                 : std::max(weight_of_water * (height_at(model.water_table, soil.position[0][p]) - y),
-                                            -model.suction_limit);
+      const double p_water = pressure_at_start(setup, soil.position[0][p], y);
       const double wet = saturation(setup.pores[soil.material[p]].retention, -p_water);
       const double weight = model.gravity * ((1 - material.porosity) * material.grain_density +
                                              material.porosity * wet * model.water.density);

@@ -107,6 +107,20 @@ template <int c, class Space, class Body>
   }
 }
 
+/// What a box that reaches `half` spacings (at most half a cell) to either side of x has in the lower one of the two
+/// cells that it overlaps on an axis, pushed inside [low, high) cells; x in spacings.
+struct AxisOverlap {
+  int cell;      ///< the lower one
+  double share;  ///< of it
+
+  AxisOverlap(double x, double half, int low, int high) {
+    half = std::min(0.5, half);
+    const double begin = std::min(std::max(x, low + half), high - half) - half;
+    cell = std::max(low, static_cast<int>(begin));
+    share = std::min(1.0, std::max(0.0, (cell + 1 - begin) * (0.5 / half)));
+  }
+};
+
 /// Share of a point's content that falls in each of the 2^axes cells that its own box overlaps. The box has `half`
 /// spacings on either side (per axis, at most half a cell) and is pushed inside [low, high) cells.
 template <class Space>
@@ -122,12 +136,10 @@ struct BoxOverlap {
              const std::array<int, 3>& low, const std::array<int, 3>& high) {
     int first[3] = {0, 0, 0};
     for (int a = 0; a < Space::axes; ++a) {
-      const double half = std::min(0.5, halves[a]), inverse = 1 / (2 * half);
-      const double x = std::min(std::max(position[a] / lattice.spacing[a], low[a] + half), high[a] - half);
-      const int cell = std::max(low[a], static_cast<int>(x - half));
-      first[a] = cell;
-      share[a][0] = std::min(1.0, std::max(0.0, (cell + 1 - (x - half)) * inverse));
-      share[a][1] = 1 - share[a][0];
+      const AxisOverlap on_axis(position[a] / lattice.spacing[a], halves[a], low[a], high[a]);
+      first[a] = on_axis.cell;
+      share[a][0] = on_axis.share;
+      share[a][1] = 1 - on_axis.share;
     }
     base = lattice.index(first[0], first[1], first[2]);
   }
@@ -159,16 +171,14 @@ struct alignas(64) ChunkOverlap {
                const std::array<int, 3>& high) {
     for (int l = 0; l < count; ++l) base[l] = static_cast<int>(lattice.index(0, 0, 0));
     for (int a = 0; a < axes; ++a) {
-      const double inverse = 1 / lattice.spacing[a], from = low[a], to = high[a];
-      const int step = static_cast<int>(lattice.stride[a]), lowest = low[a];
+      const double inverse = 1 / lattice.spacing[a];
+      const int step = static_cast<int>(lattice.stride[a]), lowest = low[a], beyond = high[a];
       const double *x = position[a], *edge = half_edges[a];
       double* of_lower = share[a];
       for (int l = 0; l < count; ++l) {
-        const double half = std::min(0.5, edge[l]);
-        const double begin = std::min(std::max(x[l] * inverse, from + half), to - half) - half;
-        const int cell = std::max(lowest, static_cast<int>(begin));
-        of_lower[l] = std::min(1.0, std::max(0.0, (cell + 1 - begin) * (0.5 / half)));
-        base[l] += cell * step;
+        const AxisOverlap on_axis(x[l] * inverse, edge[l], lowest, beyond);
+        of_lower[l] = on_axis.share;
+        base[l] += on_axis.cell * step;
       }
     }
   }

@@ -75,6 +75,18 @@ void gather_values(const Lattice<Space>& lattice, const ChunkWeights<Space>& chu
   }
 }
 
+/// APIC: the point takes the grid's velocity and affine motion (B·D⁻¹, D = h²/4).
+template <int c, class Space, class Points>
+void take_motion(const Lattice<Space>& lattice, const Gathered<Space>& gathered, std::size_t first, int count,
+                 Points& points) {
+  for (int l = 0; l < count; ++l) points.velocity[c][first + l] = gathered.value[l];
+  for (int a = 0; a < Space::axes; ++a) {
+    const double factor = 4 / lattice.spacing[a];
+    double* affine = points.affine[c * Space::axes + a].data() + first;
+    for (int l = 0; l < count; ++l) affine[l] = factor * gathered.moment[a][l];
+  }
+}
+
 /// Runs body.operator()<c>() for every component of the space.
 template <class Space, class Body>
 void over_components(Body&& body) {

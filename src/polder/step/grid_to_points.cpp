@@ -29,18 +29,6 @@ Motion over_tiles(const Tiling<Space>& tiling, Team& team, Body&& body) {
   return motion;
 }
 
-/// APIC: the point takes the grid's velocity and affine motion (B·D⁻¹, D = h²/4).
-template <int c, class Space, class Points>
-void take_motion(const Lattice<Space>& lattice, const Gathered<Space>& gathered, std::size_t first, int count,
-                 Points& points) {
-  for (int l = 0; l < count; ++l) points.velocity[c][first + l] = gathered.value[l];
-  for (int a = 0; a < Space::axes; ++a) {
-    const double factor = 4 / lattice.spacing[a];
-    double* affine = points.affine[c * Space::axes + a].data() + first;
-    for (int l = 0; l < count; ++l) affine[l] = factor * gathered.moment[a][l];
-  }
-}
-
 /// The shift of the water as the correction balances it, linear within each cell: a spline would halve what alternates
 /// from cell to cell.
 template <int c, class Space>
@@ -90,8 +78,7 @@ void leave_body(const Setup<Space>& setup, const PhaseBox& box, std::size_t p, P
   const auto& lattice = setup.lattice;
   const BodyContact at = setup.bodies.contact({points.position[0][p], points.position[up][p]});
   if (at.distance >= 0) return;
-  std::array<double, 3> x{0, 0, 0};
-  for (int a = 0; a < Space::axes; ++a) x[a] = points.position[a][p];
+  std::array<double, 3> x = position_of(points, p);
   setup.bodies.push_out(x);
   for (int a = 0; a < Space::axes; ++a)
     points.position[a][p] =
@@ -159,8 +146,7 @@ void gather(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, bool wa
 template <class Space>
 double grid_porosity(const Setup<Space>& setup, const GridFields<Space>& grid, const SoilPoints<Space>& soil,
                      std::size_t p) {
-  std::array<double, 3> x{0, 0, 0};
-  for (int a = 0; a < Space::axes; ++a) x[a] = soil.position[a][p];
+  const std::array<double, 3> x = position_of(soil, p);
   double n = 0;
   over_seen_cells(setup.walls, setup.lattice, x, cell_of(setup.lattice, x), 0.5, setup.soil_box.low,
                   setup.soil_box.high,

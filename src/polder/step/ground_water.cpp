@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "polder/step/soil_volume.hpp"
+
 namespace polder {
 
 namespace {
@@ -67,11 +69,8 @@ std::vector<int> ground_conditions(const Setup<Space>& setup, const SoilPoints<S
   const auto& lattice = setup.lattice;
   Array bulk = lattice.make_array();
   for (std::size_t p = 0; p < soil.size(); ++p) {
-    std::array<double, 3> x{0, 0, 0};
-    for (int a = 0; a < Space::axes; ++a) x[a] = soil.position[a][p];
-    const auto cell = cell_of(lattice, x);
-    bulk[lattice.index(cell[0], cell[1], cell[2])] +=
-        soil.mass[p] / (setup.materials[soil.material[p]].grain_density * (1 - soil.porosity[p]));
+    const auto cell = cell_of(lattice, position_of(soil, p));
+    bulk[lattice.index(cell[0], cell[1], cell[2])] += bulk_volume(setup, soil, p);
   }
   std::vector<int> ground(static_cast<std::size_t>(lattice.cells[0] * (Space::axes == 3 ? lattice.cells[1] : 1)), -1);
   over_columns(lattice, [&](std::size_t column, double x, std::ptrdiff_t lowest) {

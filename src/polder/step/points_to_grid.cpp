@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polder/step/chunk_loop.hpp"
 #include "polder/step/face_loop.hpp"
 #include "polder/step/gather.hpp"
+#include "polder/step/soil_volume.hpp"
 #include "polder/step/wall_transfer.hpp"
 
 namespace polder {
@@ -114,17 +116,6 @@ void clear_faces(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, c
   }
 }
 
-/// Runs body(first point, count) over chunks of every tile, colour after colour.
-template <class Space, class Body>
-void over_chunks(const Tiling<Space>& tiling, Team& team, Body&& body) {
-  for (const auto& tiles : tiling.by_colour)
-    team.each(static_cast<std::ptrdiff_t>(tiles.size()), [&](std::ptrdiff_t t) {
-      const TileRange range = tiles[t];
-      for (std::uint32_t done = 0; done < range.count; done += chunk_size)
-        body(static_cast<std::size_t>(range.first + done), std::min(chunk_size, static_cast<int>(range.count - done)));
-    });
-}
-
 /// What a chunk of soil points brings to the cells.
 struct alignas(64) SoilContent {
   double volume[chunk_size];     // bulk, m³
@@ -165,12 +156,11 @@ struct alignas(64) SoilContent {
         double a[2], b[2];
         for (int d = 0; d < (setup.anisotropic ? 2 : 1); ++d) {
           const Drag& drag = material.drag[d];
-          const bool plain = drag.law == DragLaw::ergun || drag.law == DragLaw::darcy;
           a[d] = volume[l] *
-                 (plain ? linear_resistance(drag, n)
-                        : drag_coefficient(drag, n,
-                                           flux_in_cell(grid, setup.lattice, cell_index(setup.lattice, chunk, l))));
-          b[d] = plain ? volume[l] * quadratic_resistance(drag, n) : 0;
+                 (drag.plain() ? linear_resistance(drag, n)
+                               : drag_coefficient(
+                                     drag, n, flux_in_cell(grid, setup.lattice, cell_index(setup.lattice, chunk, l))));
+          b[d] = drag.plain() ? volume[l] * quadratic_resistance(drag, n) : 0;
         }
         linear[l] = a[0];
         quadratic[l] = b[0];
@@ -239,13 +229,11 @@ void carried_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
     for (int l = 0; l < count; ++l) {
       const std::size_t p = first + l;
       const double n = soil.porosity[p];
-      const double bulk = soil.mass[p] / (setup.materials[soil.material[p]].grain_density * (1 - n));
+      const double bulk = bulk_volume(setup, soil, p);
       const double water = soil.saturated[p] ? n * bulk : 0, solid = soil.saturated[p] ? (1 - n) * bulk : 0;
       mass[l] = setup.water.density * water;
-      std::array<double, 3> x{0, 0, 0};
-      for (int d = 0; d < Space::axes; ++d) x[d] = soil.position[d][p];
-      const BoxOverlap<Space> box(lattice, x, half_edge<Space>(bulk, cell_volume), setup.soil_box.low,
-                                  setup.soil_box.high);
+      const BoxOverlap<Space> box(lattice, position_of(soil, p), half_edge<Space>(bulk, cell_volume),
+                                  setup.soil_box.low, setup.soil_box.high);
       box.over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
         grid.water_volume[cell] += share * water;
         grid.saturated_solid[cell] += share * solid;

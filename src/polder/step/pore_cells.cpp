@@ -12,15 +12,6 @@ namespace {
 
 constexpr double hardly = 1e-3;  // of a cell's volume: no soil
 
-/// Calls body(cell, place) for every cell of the lattice, from below upwards.
-template <class Space, class Body>
-void over_all_cells(const Lattice<Space>& lattice, Body&& body) {
-  for (std::ptrdiff_t row = 0; row < lattice.row_count(); ++row) {
-    const int j = static_cast<int>(row % lattice.cells[1]), k = static_cast<int>(row / lattice.cells[1]);
-    for (int i = 0; i < lattice.cells[0]; ++i) body(lattice.index(i, j, k), std::array<int, 3>{i, j, k});
-  }
-}
-
 template <class Space>
 bool inside(const Lattice<Space>& lattice, const std::array<int, 3>& place) {
   for (int a = 0; a < Space::axes; ++a)

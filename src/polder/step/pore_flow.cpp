@@ -41,8 +41,8 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
                                 Team& team) {
   const auto& lattice = setup.lattice;
   const double weight = setup.water.density * gravity;
-  const Array before = grid.pressure, coupled = pores.saturation;  // the coupling stays that of the step's start
-  Array increment(before.size(), 0.0);
+  const Array coupled = pores.saturation;  // the coupling stays that of the step's start
+  Array increment(coupled.size(), 0.0);
   Array conducts[Space::axes];
   for (auto& c : conducts) c = lattice.make_array();
   SolveResult total;

@@ -7,6 +7,7 @@
 #include "polder/step/chunk.hpp"
 #include "polder/step/face_loop.hpp"
 #include "polder/step/pore_curves.hpp"
+#include "polder/step/soil_volume.hpp"
 
 namespace polder {
 
@@ -15,7 +16,8 @@ namespace {
 // Steps grow while what is out of balance is below the first share of the weight, shrink above the second.
 constexpr double calm_below = 1e-2, loud_above = 2e-2, grow = 1.03, shrink = 0.9, smoothing = 0.1;
 
-/// Pressure at a place at the start: still water, suction up to its limit.
+}  // namespace
+
 template <class Space>
 double pressure_at_start(const Setup<Space>& setup, double x, double height) {
   if (setup.water_table.empty()) return 0;
@@ -23,33 +25,24 @@ double pressure_at_start(const Setup<Space>& setup, double x, double height) {
   return std::max(p, -setup.suction_limit);
 }
 
-}  // namespace
-
 template <class Space>
 UnsaturatedStep<Space>::UnsaturatedStep(const Setup<Space>& setup, SoilPoints<Space>& soil, GridFields<Space>& grid)
     : pores(setup.lattice, setup.materials.size()), ground_(ground_conditions(setup, soil)) {
   const auto& lattice = setup.lattice;
-  for (std::ptrdiff_t row = 0; row < lattice.row_count(); ++row) {
-    const int j = static_cast<int>(row % lattice.cells[1]), k = static_cast<int>(row / lattice.cells[1]);
-    for (int i = 0; i < lattice.cells[0]; ++i) {
-      const std::ptrdiff_t cell = lattice.index(i, j, k);
-      grid.pressure[cell] = pressure_at_start(setup, (i + 0.5) * lattice.spacing[0],
-                                              ((Space::axes == 3 ? k : j) + 0.5) * lattice.spacing[Space::up]);
-      pores.active[cell] = 1;  // it has a pressure
-    }
-  }
+  over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
+    grid.pressure[cell] = pressure_at_start(setup, (place[0] + 0.5) * lattice.spacing[0],
+                                            (place[Space::up] + 0.5) * lattice.spacing[Space::up]);
+    pores.active[cell] = 1;  // it has a pressure
+  });
   for (std::size_t p = 0; p < soil.size(); ++p) {
-    std::array<double, 3> x{0, 0, 0};
-    for (int a = 0; a < Space::axes; ++a) x[a] = soil.position[a][p];
-    const SoilMaterial& material = setup.materials[soil.material[p]];
     double filled = 0;
-    BoxOverlap<Space>(lattice, x, box_half(setup, soil, p), setup.soil_box.low, setup.soil_box.high)
+    BoxOverlap<Space>(lattice, position_of(soil, p), box_half(setup, soil, p), setup.soil_box.low, setup.soil_box.high)
         .over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
           if (share > 0)
             filled +=
                 share * water_ratio(setup.pores[soil.material[p]], grid.pressure[cell], setup.water.bulk_modulus).value;
         });
-    soil.water[p] = filled * soil.porosity[p] * soil.mass[p] / (material.grain_density * (1 - soil.porosity[p]));
+    soil.water[p] = filled * soil.porosity[p] * bulk_volume(setup, soil, p);
     weight_ += setup.gravity * (soil.mass[p] + setup.water.density * soil.water[p]);
   }
 }
@@ -115,16 +108,13 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
     return;
   }
   Array left = pores.water;
-  for (std::ptrdiff_t row = 0; row < lattice.row_count(); ++row)
-    for (int i = 0; i < lattice.cells[0]; ++i) {
-      const std::ptrdiff_t cell =
-          lattice.index(i, static_cast<int>(row % lattice.cells[1]), static_cast<int>(row / lattice.cells[1]));
-      for (int a = 0; a < Space::axes; ++a) {
-        if (lattice.place(cell, a) == 0) continue;
-        left[cell] += dt * pores.flow[a][cell];
-        left[cell - lattice.stride[a]] -= dt * pores.flow[a][cell];
-      }
+  over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
+    for (int a = 0; a < Space::axes; ++a) {
+      if (place[a] == 0) continue;
+      left[cell] += dt * pores.flow[a][cell];
+      left[cell - lattice.stride[a]] -= dt * pores.flow[a][cell];
     }
+  });
   for (const PoreExit& exit : exits) {
     left[exit.cell] -= dt * exit.out;
     exchanged.push_back({exit.cell, -dt * exit.out});
@@ -155,18 +145,14 @@ template <class Space>
 void UnsaturatedStep<Space>::judge(const Setup<Space>& setup, double dt, const SoilPoints<Space>& soil, Team& team) {
   const double h = setup.lattice.smallest_spacing(), stretched = dt / (difference_cfl * h);
   const auto count = static_cast<std::ptrdiff_t>(soil.size());
-  const auto volume = [&](std::ptrdiff_t p) {
-    return soil.mass[p] / (setup.materials[soil.material[p]].grain_density * (1 - soil.porosity[p]));
-  };
+  const auto volume = [&](std::ptrdiff_t p) { return bulk_volume(setup, soil, static_cast<std::size_t>(p)); };
   const auto inertia = [&](std::ptrdiff_t p) {
     const double mass = soil.mass[p] + setup.water.density * soil.water[p];
     return std::max(setup.numerics.mass_scaling * mass,
                     volume(p) * setup.pores[soil.material[p]].modulus * stretched * stretched);
   };
   const double kinetic = ordered_sum(team, count, [&](std::ptrdiff_t p) {
-    double square = 0;
-    for (const auto& v : soil.velocity) square += v[p] * v[p];
-    return 0.5 * inertia(p) * square;
+    return 0.5 * inertia(p) * speed_squared(soil, static_cast<std::size_t>(p));
   });
   const double elastic = ordered_sum(team, count, [&](std::ptrdiff_t p) {
     double square = 0;
@@ -285,6 +271,8 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   return result;
 }
 
+template double pressure_at_start(const Setup<PlaneStrain>&, double, double);
+template double pressure_at_start(const Setup<Solid>&, double, double);
 template class UnsaturatedStep<PlaneStrain>;
 template class UnsaturatedStep<Solid>;
 

@@ -21,6 +21,10 @@ struct Calm {
   double worst_inertial_number = 0, worst_energy_ratio = 0;  ///< while inertia was raised, since the start
 };
 
+/// Pore pressure (Pa; suction negative) at x and a height, m, at the start: still water, suction up to its limit.
+template <class Space>
+double pressure_at_start(const Setup<Space>& setup, double x, double height);
+
 template <class Space>
 class UnsaturatedStep {
  public:

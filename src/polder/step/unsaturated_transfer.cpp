@@ -4,31 +4,21 @@
 #include <cmath>
 #include <mutex>
 
+#include "polder/step/chunk_loop.hpp"
 #include "polder/step/gather.hpp"
 #include "polder/step/pore_curves.hpp"
 #include "polder/step/soil_stress.hpp"
+#include "polder/step/soil_volume.hpp"
 #include "polder/step/unsaturated_step.hpp"
 
 namespace polder {
 
 namespace {
 
-template <class Space>
-double bulk_volume(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p) {
-  return soil.mass[p] / (setup.materials[soil.material[p]].grain_density * (1 - soil.porosity[p]));
-}
-
-template <class Space>
-std::array<double, 3> place_of(const SoilPoints<Space>& soil, std::size_t p) {
-  std::array<double, 3> x{0, 0, 0};
-  for (int a = 0; a < Space::axes; ++a) x[a] = soil.position[a][p];
-  return x;
-}
-
 /// The cells that a point counts for.
 template <class Space>
 BoxOverlap<Space> box_of(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p) {
-  return {setup.lattice, place_of(soil, p), box_half(setup, soil, p), setup.soil_box.low, setup.soil_box.high};
+  return {setup.lattice, position_of(soil, p), box_half(setup, soil, p), setup.soil_box.low, setup.soil_box.high};
 }
 
 /// Of the four nodes of a row of faces, the lower one of the point's own cell: 0 or 1.
@@ -46,17 +36,6 @@ void use_cell_differences(ChunkWeights<Space>& chunk, int count) {
 
 /// The difference between the faces of a point's own cell, in a row that starts one cell before.
 constexpr Vec4 difference_row{0, -1, 1, 0};
-
-/// Runs body(first point, count) over chunks of every tile, colour after colour.
-template <class Space, class Body>
-void over_chunks(const Tiling<Space>& tiling, Team& team, Body&& body) {
-  for (const auto& tiles : tiling.by_colour)
-    team.each(static_cast<std::ptrdiff_t>(tiles.size()), [&](std::ptrdiff_t t) {
-      const TileRange range = tiles[t];
-      for (std::uint32_t done = 0; done < range.count; done += chunk_size)
-        body(static_cast<std::size_t>(range.first + done), std::min(chunk_size, static_cast<int>(range.count - done)));
-    });
-}
 
 /// What a point brings to the faces.
 struct Load {
@@ -232,14 +211,12 @@ Motion gather_rates(const Setup<Space>& setup, const GridFields<Space>& grid, co
         });
         gathered.gradient[0][l] = sum_lanes(sum * difference_row);
       }
+      take_motion<c>(lattice, gathered, first, count, soil);
       for (int l = 0; l < count; ++l) {
         const std::size_t p = first + static_cast<std::size_t>(l);
-        soil.velocity[c][p] = gathered.value[l];
         speed = std::max(speed, std::abs(gathered.value[l]) / lattice.spacing[c]);
-        for (int a = 0; a < Space::axes; ++a) {
-          soil.affine[c * Space::axes + a][p] = 4 / lattice.spacing[a] * gathered.moment[a][l];
+        for (int a = 0; a < Space::axes; ++a)
           pores.gradient[c * Space::axes + a][p] = gathered.gradient[a][l] / lattice.spacing[a];
-        }
       }
     });
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {

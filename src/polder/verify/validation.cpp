@@ -143,9 +143,9 @@ Result run_validation(const Validation& validation, const std::vector<std::strin
                            Verdict::shown,
                            "",
                            "audit"});
-    result.rows.push_back(
-        {"water balance", "end, share of the water at the start", "", 0.0, run.audit().water_balance_error(run.state()),
-         1e-6, run.audit().water_balance_error(run.state()) <= 1e-6 ? Verdict::within : Verdict::outside, "", "audit"});
+    const double balance = run.audit().water_balance_error(run.state());
+    result.rows.push_back({"water balance", "end, share of the water at the start", "", 0.0, balance, 1e-6,
+                           balance <= 1e-6 ? Verdict::within : Verdict::outside, "", "audit"});
   }
   return result;
 }
