@@ -163,6 +163,33 @@ TEST(MshReader, SaysWhichLineIsWrong) {
   }
 }
 
+/// What the reader says of a file of version 4.1 or 2.2 with these sections.
+std::string refusal_of_msh(const std::string& version, const std::string& sections) {
+  std::istringstream in("$MeshFormat\n" + version + " 0 8\n$EndMeshFormat\n" + sections);
+  try {
+    polder::read_msh(in);
+  } catch (const std::invalid_argument& e) {
+    return e.what();
+  }
+  return {};
+}
+
+TEST(MshReader, RefusesCountsThatCannotBe) {
+  for (const char* count : {"-1", "4000000000000000000"}) {
+    const std::string said = refusal_of_msh("4.1", "$Nodes\n1 4 1 9\n2 3 0 " + std::string(count) + "\n1\n");
+    EXPECT_NE(said.find("msh file, line"), std::string::npos) << count << ": " << said;
+  }
+  EXPECT_NE(refusal_of_msh("2.2", "$Nodes\n-4\n").find("cannot be negative"), std::string::npos);
+}
+
+TEST(MshReader, RefusesTrianglesWithoutArea) {
+  const std::string nodes = "$Nodes\n4\n1 0 0 0\n2 2 0 0\n3 1 0 0\n4 1e300 1e300 0\n$EndNodes\n$Elements\n1\n";
+  for (const char* corners : {"2 2 3", "1 2 3", "1 2 2"}) {
+    const std::string said = refusal_of_msh("2.2", nodes + "1 2 2 3 3 " + corners + "\n");
+    EXPECT_NE(said.find("has no area"), std::string::npos) << corners << ": " << said;
+  }
+}
+
 TEST(MeshLocator, InterpolatesQuadraticFieldsExactly) {
   MeshRequest request;
   request.size = 0.7;

@@ -98,7 +98,7 @@ std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosit
       for (double& component : shift) component *= split_distance * edge;
     }
     water.volume[p] *= 0.5;
-    water.each_array([&](const char*, int, auto& array) { array[half] = array[p]; });
+    water.each_array([half, p = p](const char*, int, auto& array) { array[half] = array[p]; });
     water.id[half] = next_id++;
     const auto from = position_of(water, p);
     for (const auto& [q, sign] : {std::pair{p, 1.0}, std::pair{half, -1.0}}) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <unordered_map>
@@ -43,6 +44,13 @@ struct Reader {
     if (!((s >> value) && ...)) fail(fmt::format("expected {}", what));
   }
 
+  /// A number of things that the file says are to follow; memory is taken as they come, not for what it promises.
+  template <class... T>
+  void take_counts(std::istringstream& s, const char* what, T&... count) {
+    take(s, what, count...);
+    if (((count < 0) || ...)) fail(fmt::format("expected {}, which cannot be negative", what));
+  }
+
   void element(int type, int group, std::istringstream& s) {
     if (type != three_node_triangle && type != six_node_triangle) return;
     std::array<long, 3> v{};
@@ -62,7 +70,7 @@ struct Reader {
   void physical_names() {
     int count = 0;
     auto head = fields("$PhysicalNames");
-    take(head, "the number of names", count);
+    take_counts(head, "the number of names", count);
     for (int i = 0; i < count; ++i) {
       auto s = fields("$PhysicalNames");
       int dimension = 0, tag = 0;
@@ -78,7 +86,7 @@ struct Reader {
   void entities() {
     std::array<int, 4> count{};
     auto head = fields("$Entities");
-    take(head, "the numbers of entities", count[0], count[1], count[2], count[3]);
+    take_counts(head, "the numbers of entities", count[0], count[1], count[2], count[3]);
     for (int dimension = 0; dimension < 4; ++dimension)
       for (int i = 0; i < count[dimension]; ++i) {
         auto s = fields("$Entities");
@@ -95,7 +103,7 @@ struct Reader {
   void nodes_2() {
     long count = 0;
     auto head = fields("$Nodes");
-    take(head, "the number of nodes", count);
+    take_counts(head, "the number of nodes", count);
     for (long i = 0; i < count; ++i) {
       auto s = fields("$Nodes");
       long tag = 0;
@@ -108,16 +116,17 @@ struct Reader {
   void nodes_4() {
     long blocks = 0;
     auto head = fields("$Nodes");
-    take(head, "the number of blocks of nodes", blocks);
+    take_counts(head, "the number of blocks of nodes", blocks);
     for (long b = 0; b < blocks; ++b) {
       int dimension = 0, entity = 0, parametric = 0;
       long count = 0;
       auto s = fields("$Nodes");
-      take(s, "a block of nodes", dimension, entity, parametric, count);
-      std::vector<long> tags(static_cast<std::size_t>(count));
-      for (long& tag : tags) {
+      take(s, "a block of nodes", dimension, entity, parametric);
+      take_counts(s, "the number of nodes of a block", count);
+      std::vector<long> tags;
+      for (long i = 0; i < count; ++i) {
         auto t = fields("$Nodes");
-        take(t, "a node's number", tag);
+        take(t, "a node's number", tags.emplace_back());
       }
       for (const long tag : tags) {
         auto t = fields("$Nodes");
@@ -131,7 +140,7 @@ struct Reader {
   void elements_2() {
     long count = 0;
     auto head = fields("$Elements");
-    take(head, "the number of elements", count);
+    take_counts(head, "the number of elements", count);
     for (long i = 0; i < count; ++i) {
       auto s = fields("$Elements");
       long tag = 0;
@@ -146,12 +155,13 @@ struct Reader {
   void elements_4() {
     long blocks = 0;
     auto head = fields("$Elements");
-    take(head, "the number of blocks of elements", blocks);
+    take_counts(head, "the number of blocks of elements", blocks);
     for (long b = 0; b < blocks; ++b) {
       int dimension = 0, entity = 0, type = 0;
       long count = 0;
       auto s = fields("$Elements");
-      take(s, "a block of elements", dimension, entity, type, count);
+      take(s, "a block of elements", dimension, entity, type);
+      take_counts(s, "the number of elements of a block", count);
       const auto it = group_of_surface.find(entity);
       for (long i = 0; i < count; ++i) {
         auto t = fields("$Elements");
@@ -197,7 +207,12 @@ GmshMesh read_msh(std::istream& in) {
     }
     triangles.push_back(t);
   }
-  return {quadratic_mesh(std::move(points), std::move(triangles), std::move(r.region)), std::move(r.names)};
+  GmshMesh read{quadratic_mesh(std::move(points), std::move(triangles), std::move(r.region)), std::move(r.names)};
+  for (std::size_t t = 0; t < r.corners.size(); ++t)
+    if (const double size = area(read.mesh, static_cast<int>(t)); !(size > 0) || !std::isfinite(size))
+      r.fail(fmt::format("the triangle of the nodes {}, {} and {} has no area", r.corners[t][0], r.corners[t][1],
+                         r.corners[t][2]));
+  return read;
 }
 
 }  // namespace polder
