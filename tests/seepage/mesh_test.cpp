@@ -190,6 +190,17 @@ TEST(MshReader, RefusesTrianglesWithoutArea) {
   }
 }
 
+TEST(MshReader, RefusesNodesBeyondAnySection) {
+  const std::string said =
+      refusal_of_msh("2.2", "$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 1 6e66 0\n$EndNodes\n$Elements\n1\n1 2 2 3 3 1 2 3\n");
+  EXPECT_NE(said.find("no section does"), std::string::npos) << said;
+}
+
+TEST(MeshLocator, FindsPlacesInASlenderMesh) {
+  const Mesh mesh = polder::quadratic_mesh({{0, 0}, {1e-6, 0}, {1e-6, 1e9}}, {{0, 1, 2}}, {0});
+  EXPECT_EQ(polder::MeshLocator(mesh).find({0.9e-6, 1e8}).triangle, 0);
+}
+
 TEST(MeshLocator, InterpolatesQuadraticFieldsExactly) {
   MeshRequest request;
   request.size = 0.7;

@@ -84,7 +84,9 @@ MeshLocator::MeshLocator(const Mesh& mesh) : mesh_(&mesh) {
   for (const auto& p : mesh.nodes)
     for (int k = 0; k < 2; ++k) low_[k] = std::min(low_[k], p[k]), high[k] = std::max(high[k], p[k]);
   const double w = std::max(high[0] - low_[0], 1e-12), h = std::max(high[1] - low_[1], 1e-12);
-  width_ = std::sqrt(w * h / std::max<double>(1, static_cast<double>(mesh.triangles.size())));
+  constexpr double most = 10000;  // columns or rows, however slender the mesh
+  width_ = std::max(std::sqrt(w * h / std::max<double>(1, static_cast<double>(mesh.triangles.size()))),
+                    std::max(w, h) / most);
   columns_ = static_cast<int>(w / width_) + 1;
   rows_ = static_cast<int>(h / width_) + 1;
   buckets_.resize(static_cast<std::size_t>(columns_) * rows_);

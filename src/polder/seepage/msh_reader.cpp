@@ -11,6 +11,7 @@ namespace polder {
 namespace {
 
 constexpr int three_node_triangle = 2, six_node_triangle = 9;
+constexpr double farthest = 1e9;  // m, of a node from the origin
 
 struct Reader {
   std::istream& in;
@@ -201,6 +202,8 @@ GmshMesh read_msh(std::istream& in) {
     for (int i = 0; i < 3; ++i) {
       const auto node = r.nodes.find(c[i]);
       if (node == r.nodes.end()) r.fail(fmt::format("a triangle uses node {}, which is not in the file", c[i]));
+      for (const double x : node->second)
+        if (!(std::abs(x) <= farthest)) r.fail(fmt::format("node {} lies at {:g} m: no section does", c[i], x));
       const auto [it, fresh] = number.try_emplace(c[i], static_cast<int>(points.size()));
       if (fresh) points.push_back(node->second);
       t[i] = it->second;
