@@ -67,6 +67,25 @@ std::array<double, 3> direction_of(const WaterPoints<Space>& water, std::size_t 
   return e;
 }
 
+/// Where a half of a point at `from` comes to lie: `shift` away, or less far where a body, a thin wall or the edge of
+/// the model is in between.
+template <class Space>
+std::array<double, 3> place_of_half(const Lattice<Space>& lattice, const ThinWalls<Space>& walls,
+                                    const Bodies<Space>& bodies, const std::array<double, 3>& from,
+                                    const std::array<double, 3>& shift) {
+  for (double share = 1; share > 0.1; share *= 0.5) {
+    std::array<double, 3> to{0, 0, 0};
+    for (int a = 0; a < Space::axes; ++a) {
+      const double gap = wall_gap * lattice.spacing[a];
+      to[a] = std::clamp(from[a] + share * shift[a], gap, lattice.length(a) - gap);
+    }
+    if (bodies.any() && bodies.contact({to[0], to[Space::up]}).distance <= 0) continue;
+    if (walls.any()) stop_at_walls(lattice, walls, from, to);
+    return to;
+  }
+  return from;
+}
+
 }  // namespace
 
 template <class Space>
@@ -101,16 +120,10 @@ std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosit
     water.each_array([half, p = p](const char*, int, auto& array) { array[half] = array[p]; });
     water.id[half] = next_id++;
     const auto from = position_of(water, p);
-    for (const auto& [q, sign] : {std::pair{p, 1.0}, std::pair{half, -1.0}}) {
-      std::array<double, 3> to{0, 0, 0};
-      for (int a = 0; a < Space::axes; ++a) {
-        const double gap = wall_gap * lattice.spacing[a];
-        to[a] = std::clamp(from[a] + sign * shift[a], gap, lattice.length(a) - gap);
-      }
-      if (bodies.any()) bodies.push_out(to);
-      if (walls.any()) stop_at_walls(lattice, walls, from, to);
-      for (int a = 0; a < Space::axes; ++a) water.position[a][q] = to[a];
-    }
+    const std::array<double, 3> back{-shift[0], -shift[1], -shift[2]};
+    const auto one = place_of_half(lattice, walls, bodies, from, shift);
+    const auto other = place_of_half(lattice, walls, bodies, from, back);
+    for (int a = 0; a < Space::axes; ++a) water.position[a][p] = one[a], water.position[a][half] = other[a];
     ++half;
   }
   return stretched.size();

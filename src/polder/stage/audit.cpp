@@ -36,6 +36,7 @@ template <class Space>
 Audit<Space>::Audit(const Model& model, const Stepper<Space>& state) {
   solid_at_start_ = sum_by_id(state.soil.id, state.soil.mass);
   water_at_start_ = stored_water(state);
+  watched_ = !state.setup.single_point;
   const auto& lattice = state.setup.lattice;
   spacing_ = lattice.spacing;
   for (const auto& boundary : model.boundaries) {
@@ -148,6 +149,7 @@ double Audit<Space>::water_balance_error(const Stepper<Space>& state) const {
 template <class Space>
 FluxError Audit<Space>::worst_flux() const {
   FluxError worst;
+  if (!watched_) return worst;
   for (const auto& section : sections_) {
     const double scale = std::max(section.most, 1e-3 * water_at_start_);
     if (scale <= 0) continue;

@@ -13,7 +13,7 @@ namespace polder {
 namespace {
 
 constexpr double porosity_relaxation = 0.02;  // per step, of a fluid point's porosity towards the grid's
-constexpr double porosity_mixing = 8;         // of a group's porosities, per unit of deviatoric strain
+constexpr double porosity_mixing = 48;        // of a group's porosities, per unit of plastic shear strain
 
 /// Runs body(tile) over all tiles and gathers the motion they report.
 template <class Space, class Body>
@@ -155,18 +155,18 @@ double grid_porosity(const Setup<Space>& setup, const GridFields<Space>& grid, c
 }
 
 /// Mixes the porosity of the points [first, last) of one group as they are sheared: the bulk volume that goes with a
-/// mass of grains approaches the group's mean by 1 − e^(−mixing Δε_d), Δε_d being the mean deviatoric strain of this
-/// step. Differences between points of one cell are below what the grid resolves, and nothing else ends their growth.
-/// Volume and mass of the group stay what they are; a group of several materials is left alone.
+/// mass of grains approaches the group's mean by 1 − e^(−mixing Δε_d), Δε_d being the mean plastic shear strain of
+/// this step. Differences between points of one cell are below what the grid resolves, and nothing else ends their
+/// growth. Volume and mass of the group stay what they are; a group of several materials is left alone.
 template <class Space>
-void mix_porosity(const double* shear, std::size_t first, std::size_t last, SoilPoints<Space>& soil) {
+void mix_porosity(const double* plastic_shear, std::size_t first, std::size_t last, SoilPoints<Space>& soil) {
   double mass = 0, volume = 0, sheared = 0;
   for (std::size_t p = first; p < last; ++p) {
     if (soil.material[p] != soil.material[first]) return;
     const double v = soil.mass[p] / (1 - soil.porosity[p]);
     mass += soil.mass[p];
     volume += v;
-    sheared += v * shear[p - first];
+    sheared += v * plastic_shear[p - first];
   }
   const double share = 1 - std::exp(-porosity_mixing * sheared / volume);
   const double mean = volume / mass;
@@ -245,7 +245,7 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
     ChunkWeights<Space> chunk;
     Gathered<Space> gathered;
     VelocityGradients<Space> gradients;
-    double displacement[Space::axes][chunk_size], dilation[chunk_size], shear[chunk_size];
+    double displacement[Space::axes][chunk_size], dilation[chunk_size], plastic_shear[chunk_size];
     std::ptrdiff_t cell[chunk_size];
     for (std::size_t first = tile.first, end = first + tile.count; first < end;) {
       const int count = whole_groups(soil, first, end);
@@ -283,10 +283,10 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
         const double mean = change / volume;
         for (; l < last; ++l) dilation[l] = (1 - fbar) * dilation[l] + fbar * mean;
       }
-      update_soil(setup, dt, first, count, gradients, dilation, soil, shear);
+      update_soil(setup, dt, first, count, gradients, dilation, soil, plastic_shear);
       for (int l = 0, last = 0; l < count; l = last) {
         while (last < count && soil.home[first + last] == soil.home[first + l]) ++last;
-        mix_porosity(shear + l, first + l, first + last, soil);
+        mix_porosity(plastic_shear + l, first + l, first + last, soil);
       }
       for (int l = 0; l < count; ++l) {
         const std::size_t p = first + l;

@@ -91,11 +91,13 @@ void follow_volume(const double* volumetric, int count, double* porosity) {
 template <class Space>
 void update_soil(const Setup<Space>& setup, double dt, std::size_t first, int count,
                  const VelocityGradients<Space>& gradients, const double* dilation, SoilPoints<Space>& soil,
-                 double* shear) {
+                 double* plastic_shear) {
   constexpr int N = Space::stress;
   Increments<Space> increments;
+  double shear[chunk_size];
   increments.compute_strain(gradients, dilation, dt, count);
   increments.compute_shear(count, shear);
+  std::fill_n(plastic_shear, count, 0.0);
   increments.compute_trial(gradients, dt, first, count, soil);
   double porosity[chunk_size];
   std::copy_n(soil.porosity.data() + first, count, porosity);
@@ -115,6 +117,7 @@ void update_soil(const Setup<Space>& setup, double dt, std::size_t first, int co
       const bool was_fluid = soil.fluid[p];
       soil.fluid[p] = porosity[l] > material.max_porosity;
       if (soil.fluid[p]) {  // grains out of contact: a viscous mixture
+        plastic_shear[l] = shear[l];
         const double viscosity = mixture_viscosity_beenakker(setup.water.viscosity, 1 - porosity[l]);
         const double mean = increments.volumetric[l] / Space::axes;
         for (int s = 0; s < N; ++s)
@@ -150,6 +153,7 @@ void update_soil(const Setup<Space>& setup, double dt, std::size_t first, int co
     for (int b = 0; b < batch.count; ++b) {
       const std::size_t p = first + member[b];
       for (int s = 0; s < N; ++s) soil.stress[s][p] = batch.stress[s][b];
+      plastic_shear[member[b]] = batch.state[0][b] - soil.state[0][p];
       for (int s = 0; s < StressBatch<N>::max_state; ++s) soil.state[s][p] = batch.state[s][b];
     }
   }

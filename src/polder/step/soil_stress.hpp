@@ -13,10 +13,11 @@ struct alignas(64) VelocityGradients {
 };
 
 /// Updates porosity, contact, stress, strains and state of the points [first, first + count). `dilation` is the rate of
-/// volume change, 1/s, that each point is to follow (F-bar); `shear` receives the step's deviatoric strains √(2/3 e:e).
+/// volume change, 1/s, that each point is to follow (F-bar); `plastic_shear` receives what the step added to the
+/// points' plastic shear strain, the whole deviatoric strain √(2/3 e:e) where the grains are out of contact.
 template <class Space>
 void update_soil(const Setup<Space>& setup, double dt, std::size_t first, int count,
                  const VelocityGradients<Space>& gradients, const double* dilation, SoilPoints<Space>& soil,
-                 double* shear);
+                 double* plastic_shear);
 
 }  // namespace polder

@@ -278,8 +278,8 @@ Motion strain_points(const Setup<Space>& setup, double dt, const GridFields<Spac
     for (int c = 0; c < Space::axes; ++c)
       for (int a = 0; a < Space::axes; ++a)
         std::copy_n(pores.gradient[c * Space::axes + a].data() + first, count, gradients.at[c][a]);
-    double shear[chunk_size];
-    update_soil(setup, dt, first, count, gradients, pores.dilation.data() + first, soil, shear);
+    double plastic_shear[chunk_size];
+    update_soil(setup, dt, first, count, gradients, pores.dilation.data() + first, soil, plastic_shear);
   });
   motion.drift = motion.speed * dt;
   return motion;
