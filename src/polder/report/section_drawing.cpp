@@ -43,7 +43,7 @@ Panel make_panel(Drawing& drawing, const Bounds& bounds, double room_right) {
 }
 
 void draw_frame_of(Drawing& drawing, const Panel& panel, const std::string& title) {
-  draw_axes(drawing, panel, {"x (m)", "", true, true, false});
+  draw_axes(drawing, panel, {"x (m)", "y (m)", true, true, false});
   drawing.add(Text{{panel.x, panel.y - 12}, title, 14, ink::text, Anchor::start, true, 0});
 }
 
