@@ -153,16 +153,6 @@ TEST(MshReader, ReadsBothVersions) {
   EXPECT_EQ(polder::read_msh(in).names.at(7), "clay core");
 }
 
-TEST(MshReader, SaysWhichLineIsWrong) {
-  std::istringstream in("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0\nx 1 0 0\n$EndNodes\n");
-  try {
-    polder::read_msh(in);
-    FAIL() << "a broken file was accepted";
-  } catch (const std::invalid_argument& e) {
-    EXPECT_NE(std::string(e.what()).find("line 7"), std::string::npos) << e.what();
-  }
-}
-
 /// What the reader says of a file of version 4.1 or 2.2 with these sections.
 std::string refusal_of_msh(const std::string& version, const std::string& sections) {
   std::istringstream in("$MeshFormat\n" + version + " 0 8\n$EndMeshFormat\n" + sections);
@@ -172,6 +162,11 @@ std::string refusal_of_msh(const std::string& version, const std::string& sectio
     return e.what();
   }
   return {};
+}
+
+TEST(MshReader, SaysWhichLineIsWrong) {
+  const std::string said = refusal_of_msh("2.2", "$Nodes\n2\n1 0 0 0\nx 1 0 0\n$EndNodes\n");
+  EXPECT_NE(said.find("line 7"), std::string::npos) << said;
 }
 
 TEST(MshReader, RefusesCountsThatCannotBe) {

@@ -18,7 +18,7 @@ TEST(RandomModels, ThreeHundredRunWithoutLoss) {
     finished += ending.finished;
     EXPECT_TRUE(ending.finished) << "model " << seed << ": " << ending.reason;
   }
-  std::printf("random models from %llu: %llu of %llu to the end\n", static_cast<unsigned long long>(first),
+  std::printf("random models from %llu: %llu of %llu without a guard's stop\n", static_cast<unsigned long long>(first),
               static_cast<unsigned long long>(finished), static_cast<unsigned long long>(count));
 }
 

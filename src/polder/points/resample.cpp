@@ -67,8 +67,8 @@ std::array<double, 3> direction_of(const WaterPoints<Space>& water, std::size_t 
   return e;
 }
 
-/// Where a half of a point at `from` comes to lie: `shift` away, or less far where a body, a thin wall or the edge of
-/// the model is in between.
+/// Where a half of a point at `from` comes to lie: `shift` away, or less far where that would be in a body, past a
+/// thin wall or out of the model.
 template <class Space>
 std::array<double, 3> place_of_half(const Lattice<Space>& lattice, const ThinWalls<Space>& walls,
                                     const Bodies<Space>& bodies, const std::array<double, 3>& from,

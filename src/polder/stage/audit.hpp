@@ -79,7 +79,6 @@ class Audit {
   std::vector<Section> sections_;
   std::array<double, 3> spacing_{1, 1, 1};
   double solid_at_start_ = 0, water_at_start_ = 0;
-  bool watched_ = false;  // fluxes: there are points of water to compare them with
 };
 
 /// Σ of an array over the points in ascending order of id: the same in whatever order they lie.
