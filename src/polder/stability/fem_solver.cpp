@@ -105,11 +105,12 @@ FemSolver::FemSolver(FemProblem problem)
   for (const auto& load : problem_.loads) sides_on(mesh, load.line, "load");
 }
 
-std::vector<FemStrength> FemSolver::strengths(double factor) const {
+std::vector<FemStrength> FemSolver::strengths(double factor, bool associated) const {
   std::vector<FemStrength> all;
   for (const auto& m : problem_.materials) {
     const double f = m.keeps_strength ? 1 : factor;
-    const double phi = std::atan(std::tan(m.friction_angle) / f), sine = std::sin(std::min(m.dilation_angle, phi));
+    const double phi = std::atan(std::tan(m.friction_angle) / f),
+                 sine = std::sin(associated ? phi : std::min(m.dilation_angle, phi));
     all.push_back({Elasticity::from_young(m.young_modulus, m.poisson_ratio),
                    mohr_coulomb_strength(m.cohesion / f, phi, m.tension_strength / f), (1 + sine) / (1 - sine),
                    m.elastic});
@@ -201,7 +202,7 @@ std::vector<double> FemSolver::deviatoric_strain(std::span<const double> displac
 FemOutcome FemSolver::solve(FemState& state, const FemAction& action, const FemOptions& options) const {
   const Mesh& mesh = *problem_.mesh;
   const Pattern& p = *pattern_;
-  const auto strength = strengths(action.strength_factor);
+  const auto strength = strengths(action.strength_factor, action.associated);
   const Eigen::VectorXd outer = external(action);
   const int dofs = static_cast<int>(outer.size());
   const std::vector<std::array<double, 4>> start = state.stress;

@@ -66,6 +66,8 @@ struct FemAction {
   double weight = 1;                  ///< factor on gravity
   double load = 1;                    ///< factor on loads and prescribed displacements
   double strength_factor = 1;         ///< F: c/F, tan φ/F
+  /// ψ = φ instead of the materials' own ψ: equilibrium is then found wherever there is one.
+  bool associated = false;
 };
 
 struct FemOptions {
@@ -105,7 +107,7 @@ class FemSolver {
   struct Pattern;
   Eigen::VectorXd external(const FemAction& action) const;
   Eigen::VectorXd internal(const FemState& state) const;
-  std::vector<FemStrength> strengths(double factor) const;
+  std::vector<FemStrength> strengths(double factor, bool associated = false) const;
 
   FemProblem problem_;
   std::vector<FemPoint> points_;

@@ -35,20 +35,24 @@ StrengthReductionResult strength_reduction(const FemSolver& solver, FemState fro
   // The first equilibrium, if need be with a stronger soil: that a first step from a poor start fails bounds nothing.
   FemState state = from;
   double stable = options.start;
+  // By associated flow: any state in balance will do, and without dilation Newton may miss it in cohesionless soil.
+  action.associated = true;
   while (!attempt(state, stable).converged) {
     stable *= 0.8;
     state = from;
     if (stable < 0.05) return result;
   }
+  action.associated = false;
   std::fill(state.displacement.begin(), state.displacement.end(), 0.0);
 
   double step = options.step, first_rate = 0;
-  while (step >= options.resolution / 2 && stable < options.highest) {
-    const double factor = stable + step;
+  bool confirmed = false;  // that the failure at the end of the bracket is not one of too long a step
+  while (!confirmed && stable < options.highest) {
+    double factor = stable + step;
     if (result.failed > 0 && factor >= result.failed - 1e-12) {
       step = (result.failed - stable) / 2;
-      if (step < options.resolution / 2) break;
-      continue;
+      confirmed = step < options.resolution / 2;
+      factor = confirmed ? result.failed : stable + step;
     }
     FemState next = state;
     const FemOutcome outcome = attempt(next, factor);
@@ -57,18 +61,24 @@ StrengthReductionResult strength_reduction(const FemSolver& solver, FemState fro
       if (first_rate == 0) first_rate = rate;
       stable = factor;
       state = std::move(next);
+      if (confirmed) {
+        confirmed = false;
+        result.failed = 0;
+        step = options.step / 4;
+      }
       continue;
     }
     if (outcome.converged) result.curve.back().runs_away = true;
     result.failed = factor;
     result.mechanism = difference(next.displacement, state.displacement);
-    step /= 2;
+    if (!confirmed) step /= 2;
   }
   result.stable = stable;
   result.found = result.failed > 0;
   result.factor = result.found ? (stable + result.failed) / 2 : stable;
   result.shear = solver.deviatoric_strain(result.mechanism.empty() ? state.displacement : result.mechanism);
   result.state = std::move(state);
+  std::erase_if(result.curve, [&](const auto& p) { return !p.converged && p.factor <= stable; });
   std::stable_sort(result.curve.begin(), result.curve.end(),
                    [](const auto& a, const auto& b) { return a.factor < b.factor; });
   return result;

@@ -4,7 +4,8 @@
 //
 // A step counts as failure where no equilibrium is found, or where displacements run away: where they grow with F
 // hundreds of times faster than in the first step, although the out-of-balance force is small. A step that fails is
-// tried again with half of it, so that a step too long for Newton is not taken for failure.
+// tried again with half of it, and the end of the bracket once more from close by, so that a step too long for Newton
+// is not taken for failure.
 #include <vector>
 
 #include "polder/stability/fem_solver.hpp"
@@ -24,7 +25,8 @@ struct StrengthReductionResult {
   double factor = 0;              ///< middle of the bracket
   double stable = 0, failed = 0;  ///< its ends: the last F in equilibrium, the first without
   bool found = false;             ///< false: no failure up to `highest`, or no equilibrium even at small F
-  /// Largest displacement (m) at every F tried, in equilibrium or not, in the order of F.
+  /// Largest displacement (m) at every F tried, in equilibrium or not, in the order of F. Steps that failed below
+  /// `stable` are left out.
   struct Point {
     double factor, displacement;
     bool converged;
