@@ -33,15 +33,19 @@ StrengthReductionResult strength_reduction(const FemSolver& solver, FemState fro
   };
 
   // The first equilibrium, if need be with a stronger soil: that a first step from a poor start fails bounds nothing.
+  // Any state in balance will do: where Newton misses it without dilation, as in cohesionless soil, associated flow may
+  // still find it.
   FemState state = from;
-  double stable = options.start;
-  // By associated flow: any state in balance will do, and without dilation Newton may miss it in cohesionless soil.
-  action.associated = true;
-  while (!attempt(state, stable).converged) {
-    stable *= 0.8;
-    state = from;
-    if (stable < 0.05) return result;
-  }
+  double stable = 0;
+  const auto first = [&](bool associated, double least) {
+    action.associated = associated;
+    for (double factor = options.start; stable == 0 && factor >= least; factor *= 0.8) {
+      state = from;
+      if (attempt(state, factor).converged) stable = factor;
+    }
+    return stable > 0;
+  };
+  if (!first(false, 0.5 * options.start) && !first(true, 0.05)) return result;
   action.associated = false;
   std::fill(state.displacement.begin(), state.displacement.end(), 0.0);
 
