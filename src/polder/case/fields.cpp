@@ -310,6 +310,7 @@ std::string remedy_for_unknown(const std::string& name, const std::vector<const 
       return fmt::format(fmt::runtime(section.list ? "\"{}\" is a key of [[{}]]" : "\"{}\" is a key of [{}]"), name,
                          section.name);
   std::vector<std::string> names;
+  names.reserve(keys.size());
   for (const Key* key : keys) names.push_back(key->name);
   if (const std::string near = nearest(name, names); !near.empty()) return fmt::format("did you mean \"{}\"?", near);
   return fmt::format("known here: {}", fmt::join(names, ", "));

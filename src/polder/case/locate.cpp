@@ -58,6 +58,7 @@ std::vector<ShippedCase> shipped_cases(std::span<const fs::path> folders) {
       if (is_file(entry.path() / file_name)) found.try_emplace(entry.path().filename(), entry.path() / file_name);
   }
   std::vector<ShippedCase> cases;
+  cases.reserve(found.size());
   for (const auto& [name, file] : found) cases.push_back({name, file});
   return cases;
 }

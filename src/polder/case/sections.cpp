@@ -114,7 +114,7 @@ void need(const Fields& fields, std::string_view key, Diagnostics& diagnostics) 
 
 std::string material_named(const Fields& fields, const Model& model, Diagnostics& diagnostics) {
   need(fields, "material", diagnostics);
-  const std::string name = fields.text("material");
+  std::string name = fields.text("material");
   const bool known = std::any_of(model.materials.begin(), model.materials.end(),
                                  [&](const MaterialInput& m) { return m.name == name; });
   if (!known && !name.empty())

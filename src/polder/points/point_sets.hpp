@@ -22,11 +22,11 @@ void each_of(const char* name, std::array<Array, N>& arrays, Body&& body) {
 template <class Space>
 struct WaterPoints {
   static constexpr int axes = Space::axes;
-  std::array<Array, axes> position;       ///< m
-  std::array<Array, axes> velocity;       ///< m/s
-  std::array<Array, axes * axes> affine;  ///< 1/s, APIC matrix B·D⁻¹, row = component
-  Array volume;                           ///< m³ (per metre in plane strain), true volume of water
-  std::array<Array, axes> elongation;     ///< edge of the point's box over that of one shaped as a cell, minus 1
+  std::array<Array, axes> position;                    ///< m
+  std::array<Array, axes> velocity;                    ///< m/s
+  std::array<Array, std::size_t{axes} * axes> affine;  ///< 1/s, APIC matrix B·D⁻¹, row = component
+  Array volume;                                        ///< m³ (per metre in plane strain), true volume of water
+  std::array<Array, axes> elongation;  ///< edge of the point's box over that of one shaped as a cell, minus 1
   AlignedVector<std::uint64_t> id;
   AlignedVector<std::int32_t> home;
 
@@ -47,12 +47,12 @@ struct WaterPoints {
 template <class Space>
 struct SoilPoints {
   static constexpr int axes = Space::axes;
-  std::array<Array, axes> position;         ///< m
-  std::array<Array, axes> velocity;         ///< m/s
-  std::array<Array, axes * axes> affine;    ///< 1/s
-  std::array<Array, Space::stress> stress;  ///< Pa, effective, tension positive
-  std::array<Array, axes> reference;        ///< m, position from which displacement counts
-  Array mass;                               ///< kg of grains
+  std::array<Array, axes> position;                    ///< m
+  std::array<Array, axes> velocity;                    ///< m/s
+  std::array<Array, std::size_t{axes} * axes> affine;  ///< 1/s
+  std::array<Array, Space::stress> stress;             ///< Pa, effective, tension positive
+  std::array<Array, axes> reference;                   ///< m, position from which displacement counts
+  Array mass;                                          ///< kg of grains
   Array porosity;
   Array water;              ///< m³ in its pores, as at no pressure (unsaturated formulation)
   Array deviatoric_strain;  ///< ∫ √(2/3 ė:ė) dt

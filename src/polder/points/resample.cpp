@@ -73,7 +73,7 @@ template <class Space>
 std::array<double, 3> place_of_half(const Lattice<Space>& lattice, const ThinWalls<Space>& walls,
                                     const Bodies<Space>& bodies, const std::array<double, 3>& from,
                                     const std::array<double, 3>& shift) {
-  for (double share = 1; share > 0.1; share *= 0.5) {
+  for (const double share : {1.0, 0.5, 0.25, 0.125}) {
     std::array<double, 3> to{0, 0, 0};
     for (int a = 0; a < Space::axes; ++a) {
       const double gap = wall_gap * lattice.spacing[a];

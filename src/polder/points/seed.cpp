@@ -33,7 +33,8 @@ void over_sites(const Model& model, const std::array<int, 3>& cells, const std::
     Point2 low{}, high{};
     for (std::size_t part = 0; part < 2; ++part) {
       const std::size_t axis = part == 0 ? 0 : Space::up;
-      low[part] = site[axis] / model.points_per_axis * spacing[axis];
+      const int cell = site[axis] / model.points_per_axis;
+      low[part] = cell * spacing[axis];
       high[part] = low[part] + spacing[axis];
     }
     return open_part(bodies, low, high).first < least_cell;

@@ -87,7 +87,7 @@ ActiveRows<Space> rows_near(const Lattice<Space>& lattice, const AlignedVector<s
       if (home == last) continue;
       last = home;
       const auto cell = cell_of_home(lattice, home);
-      RowSpan& span = occupied[static_cast<std::size_t>(cell[1] + cell[2] * lattice.cells[1])];
+      RowSpan& span = occupied[cell[1] + static_cast<std::size_t>(cell[2]) * lattice.cells[1]];
       span = span.joined({cell[0], cell[0] + 1});
     }
   }

@@ -89,7 +89,7 @@ std::vector<fs::path> write_figures(const fs::path& folder, const FigureOptions&
   std::vector<fs::path> files;
   const auto write = [&](const std::string& name, const Drawing& drawing) {
     for (const std::string& format : options.formats) {
-      files.push_back(folder / "figures" / (name + "." + format));
+      files.push_back(folder / "figures" / fmt::format("{}.{}", name, format));
       write_drawing(files.back(), drawing);
     }
   };

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <system_error>
 
 #include "polder/result/output_error.hpp"
@@ -49,7 +48,7 @@ void AtomicFile::commit() {
   sync_folder(path_.parent_path());
 }
 
-void AtomicFile::fail(int error) const { throw OutputError(path_.string(), std::strerror(error)); }
+void AtomicFile::fail(int error) const { throw OutputError(path_.string(), std::generic_category().message(error)); }
 
 void write_atomically(const std::filesystem::path& path, std::string_view bytes) {
   AtomicFile file(path);

@@ -5,11 +5,11 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
+#include <system_error>
 
 #include "polder/result/output_error.hpp"
 
@@ -70,14 +70,14 @@ double number(const std::string& text) {
 
 }  // namespace
 
-HistoryFile::HistoryFile(std::filesystem::path path, std::vector<HistoryColumn> columns)
+HistoryFile::HistoryFile(std::filesystem::path path, const std::vector<HistoryColumn>& columns)
     : path_(std::move(path)), columns_(columns.size()) {
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0644);
-  if (descriptor_ < 0) throw OutputError(path_.string(), std::strerror(errno));
+  if (descriptor_ < 0) throw OutputError(path_.string(), std::generic_category().message(errno));
   write(header(columns));
 }
 
-HistoryFile::HistoryFile(std::filesystem::path path, std::vector<HistoryColumn> columns, std::size_t rows)
+HistoryFile::HistoryFile(std::filesystem::path path, const std::vector<HistoryColumn>& columns, std::size_t rows)
     : path_(std::move(path)), columns_(columns.size()), rows_(rows) {
   const std::string text = contents(path_), first = header(columns);
   if (text.compare(0, first.size(), first) != 0)
@@ -92,7 +92,7 @@ HistoryFile::HistoryFile(std::filesystem::path path, std::vector<HistoryColumn> 
   }
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (descriptor_ < 0 || ::ftruncate(descriptor_, static_cast<off_t>(end)) != 0)
-    throw OutputError(path_.string(), std::strerror(errno));
+    throw OutputError(path_.string(), std::generic_category().message(errno));
 }
 
 HistoryFile::~HistoryFile() {
@@ -111,7 +111,7 @@ void HistoryFile::write(const std::string& text) {
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t count = ::write(descriptor_, text.data() + done, text.size() - done);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw OutputError(path_.string(), std::strerror(errno));
+    if (count < 0) throw OutputError(path_.string(), std::generic_category().message(errno));
     done += static_cast<std::size_t>(count);
   }
 }

@@ -18,10 +18,10 @@ struct HistoryColumn {
 class HistoryFile {
  public:
   /// Starts an empty history. `columns` come after the time. Throws OutputError.
-  HistoryFile(std::filesystem::path path, std::vector<HistoryColumn> columns);
+  HistoryFile(std::filesystem::path path, const std::vector<HistoryColumn>& columns);
   /// Continues an existing one after its first `rows` rows; later ones are cut off. Throws OutputError where the file
   /// has other columns or fewer rows.
-  HistoryFile(std::filesystem::path path, std::vector<HistoryColumn> columns, std::size_t rows);
+  HistoryFile(std::filesystem::path path, const std::vector<HistoryColumn>& columns, std::size_t rows);
   ~HistoryFile();
   HistoryFile(const HistoryFile&) = delete;
   HistoryFile& operator=(const HistoryFile&) = delete;

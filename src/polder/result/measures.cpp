@@ -97,7 +97,7 @@ std::vector<double> soil_columns(const Simulation<Space>& run, const Region& reg
     if ((!at_start && soil.fluid[p]) || !inside<Space>(region, x)) continue;
     const auto cell = cell_of(lattice, x);
     const SoilMaterial& material = run.state().setup.materials[soil.material[p]];
-    const auto column = static_cast<std::size_t>(cell[0] + (Space::axes == 3 ? cell[1] * lattice.cells[0] : 0));
+    const std::size_t column = cell[0] + (Space::axes == 3 ? static_cast<std::size_t>(cell[1]) * lattice.cells[0] : 0);
     height[column] += soil.mass[p] / material.grain_density / (1 - material.initial_porosity) / area;
   }
   return height;

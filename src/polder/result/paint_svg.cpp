@@ -17,7 +17,7 @@ std::string coordinate(double value) {
 }
 
 std::string hex(const Colour& c) {
-  const auto byte = [](double x) { return static_cast<int>(std::clamp(x, 0.0, 1.0) * 255 + 0.5); };
+  const auto byte = [](double x) { return std::lround(std::clamp(x, 0.0, 1.0) * 255); };
   return fmt::format("#{:02x}{:02x}{:02x}", byte(c.red), byte(c.green), byte(c.blue));
 }
 

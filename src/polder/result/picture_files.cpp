@@ -52,6 +52,7 @@ std::vector<std::filesystem::path> list_pictures(const std::filesystem::path& fo
     return std::tie(a.rank, a.name.field, a.name.time) < std::tie(b.rank, b.name.field, b.name.time);
   });
   std::vector<std::filesystem::path> paths;
+  paths.reserve(found.size());
   for (Found& f : found) paths.push_back(std::move(f.path));
   return paths;
 }

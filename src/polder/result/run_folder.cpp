@@ -6,9 +6,9 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 #include "polder/result/atomic_file.hpp"
 #include "polder/result/output_error.hpp"
@@ -55,7 +55,7 @@ RunFolder::RunFolder(const fs::path& path, bool resume, bool replace) : path_(pa
   make_folder(path);
   const std::string lock = (path / lock_name).string();
   lock_ = open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-  if (lock_ < 0) throw OutputError(lock, std::strerror(errno));
+  if (lock_ < 0) throw OutputError(lock, std::generic_category().message(errno));
   if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
     close(lock_);
     throw FolderError(

@@ -47,7 +47,9 @@ Ticks nice_ticks(Range range, int count) {
   // A thousandth of a step of slack keeps the ends of a round range, which rounding may have pushed outside.
   const double first = std::ceil(range.low / ticks.step - 1e-3), last = std::floor(range.high / ticks.step + 1e-3);
   const double largest = std::max(std::abs(first), std::abs(last)) * ticks.step;
-  for (double k = first; k <= last; ++k) {
+  const auto steps = static_cast<int>(last - first);
+  for (int i = 0; i <= steps; ++i) {
+    const double k = first + i;
     ticks.at.push_back(k * ticks.step);
     ticks.labels.push_back(tick_text(k * ticks.step, ticks.step, largest));
   }

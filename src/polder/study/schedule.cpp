@@ -8,9 +8,9 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <map>
+#include <system_error>
 #include <thread>
 
 #include "polder/case/model_json.hpp"
@@ -127,7 +127,7 @@ std::vector<Outcome> run_jobs(const std::vector<Job>& jobs, const ScheduleOption
       if (child == 0) run_child(job, options);
       if (child < 0) {
         if (running.empty())
-          throw std::runtime_error("no process could be started: " + std::string(std::strerror(errno)));
+          throw std::runtime_error("no process could be started: " + std::generic_category().message(errno));
         break;
       }
       running[child] = {next++, need, std::chrono::steady_clock::now()};
