@@ -84,7 +84,7 @@ int run_study(const StudyArguments& arguments) {
   try {
     make_folder(folder);
     const auto write_page = [&] {
-      const auto results = study::read_results(study, folder);
+      auto results = study::read_results(study, folder);
       write_atomically(folder / "report.html", study::study_page(study, results, folder));
       return results;
     };

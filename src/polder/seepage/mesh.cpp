@@ -18,7 +18,8 @@ double cross(const Point2& a, const Point2& b, const Point2& c) {
 
 }  // namespace
 
-Mesh quadratic_mesh(std::vector<Point2> corners, std::vector<std::array<int, 3>> triangles, std::vector<int> region) {
+Mesh quadratic_mesh(std::vector<Point2> corners, const std::vector<std::array<int, 3>>& triangles,
+                    std::vector<int> region) {
   Mesh mesh{std::move(corners), {}, std::move(region)};
   std::unordered_map<std::uint64_t, int> middle;
   mesh.triangles.reserve(triangles.size());

@@ -24,7 +24,8 @@ struct MeshEdge {
 };
 
 /// The 6-node mesh over plain triangles (corner indices into `corners`, either orientation).
-Mesh quadratic_mesh(std::vector<Point2> corners, std::vector<std::array<int, 3>> triangles, std::vector<int> region);
+Mesh quadratic_mesh(std::vector<Point2> corners, const std::vector<std::array<int, 3>>& triangles,
+                    std::vector<int> region);
 
 /// Sides that belong to one triangle only: the outline, both faces of cuts.
 std::vector<MeshEdge> outline(const Mesh& mesh);

@@ -125,6 +125,7 @@ std::vector<Column> cut(const Section& section) {
 
 std::vector<double> kinks(const Section& section, const std::vector<Column>& columns) {
   std::vector<double> xs;
+  xs.reserve(columns.size() + 1);
   for (const Column& column : columns) xs.push_back(column.left);
   xs.push_back(columns.back().right);
   append_line(xs, section.water.phreatic);

@@ -22,7 +22,7 @@ std::array<double, 2> vertical_chord(const Mesh& mesh, int triangle, double x) {
 
 }  // namespace
 
-FemState FemSolver::k0(const FemAction& action, std::function<double(int material)> k0) const {
+FemState FemSolver::k0(const FemAction& action, const std::function<double(int material)>& k0) const {
   const Mesh& mesh = *problem_.mesh;
   FemState state = unstressed();
   double low = 1e300, high = -1e300;

@@ -25,7 +25,8 @@ std::vector<FemPoint> fem_points(const Mesh& mesh) {
 Eigen::Vector3d strain(const FemPoint& point, const std::array<int, 6>& nodes, std::span<const double> u) {
   Eigen::Vector3d e = Eigen::Vector3d::Zero();
   for (int i = 0; i < 6; ++i) {
-    const double x = u[2 * nodes[i]], y = u[2 * nodes[i] + 1];
+    const std::size_t at = std::size_t{2} * nodes[i];
+    const double x = u[at], y = u[at + 1];
     e[0] += point.gradient[i][0] * x;
     e[1] += point.gradient[i][1] * y;
     e[2] += point.gradient[i][1] * x + point.gradient[i][0] * y;
@@ -43,8 +44,9 @@ void add_internal(const FemPoint& point, const std::array<int, 6>& nodes, const 
                   Eigen::VectorXd& f) {
   for (int i = 0; i < 6; ++i) {
     const double gx = point.volume * point.gradient[i][0], gy = point.volume * point.gradient[i][1];
-    f[2 * nodes[i]] += gx * stress[0] + gy * stress[3];
-    f[2 * nodes[i] + 1] += gy * stress[1] + gx * stress[3];
+    const Eigen::Index at = Eigen::Index{2} * nodes[i];
+    f[at] += gx * stress[0] + gy * stress[3];
+    f[at + 1] += gy * stress[1] + gx * stress[3];
   }
 }
 
@@ -52,8 +54,9 @@ void add_stiffness(const FemPoint& point, const Eigen::Matrix3d& tangent, const 
   Eigen::Matrix<double, 3, 12> b;
   for (int i = 0; i < 6; ++i) {
     const auto& g = point.gradient[i];
-    b.col(2 * i) << g[0], 0, g[1];
-    b.col(2 * i + 1) << 0, g[1], g[0];
+    const Eigen::Index at = Eigen::Index{2} * i;
+    b.col(at) << g[0], 0, g[1];
+    b.col(at + 1) << 0, g[1], g[0];
   }
   const Eigen::Matrix<double, 3, 12> stress = (point.volume * tangent) * b;
   Eigen::Matrix<double, 12, 12, Eigen::RowMajor> k;

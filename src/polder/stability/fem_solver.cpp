@@ -137,8 +137,9 @@ Eigen::VectorXd FemSolver::external(const FemAction& action) const {
     const double carried = p >= 0 ? p : problem_.suction ? s * p : 0.0;
     const auto n = shape(point.weight);
     for (int a = 0; a < 6; ++a) {
-      f[2 * t[a]] += point.volume * point.gradient[a][0] * carried;
-      f[2 * t[a] + 1] += point.volume * (point.gradient[a][1] * carried - n[a] * weight);
+      const Eigen::Index at = Eigen::Index{2} * t[a];
+      f[at] += point.volume * point.gradient[a][0] * carried;
+      f[at + 1] += point.volume * (point.gradient[a][1] * carried - n[a] * weight);
     }
   }
   const auto press = [&](const MeshEdge& side, const std::array<Point2, 3>& traction) {
@@ -309,9 +310,8 @@ FemOutcome FemSolver::solve(FemState& state, const FemAction& action, const FemO
   }
 
   for (int d = 0; d < dofs; ++d) state.displacement[d] = before[d] + increment[d];
-  for (int n = 0; n < dofs / 2; ++n)
-    outcome.largest_displacement =
-        std::max(outcome.largest_displacement, std::hypot(increment[2 * n], increment[2 * n + 1]));
+  for (std::size_t x = 0; x + 1 < increment.size(); x += 2)
+    outcome.largest_displacement = std::max(outcome.largest_displacement, std::hypot(increment[x], increment[x + 1]));
   if (outcome.converged)
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const double shear = strength[mesh.region[i / 3]].elasticity.shear;

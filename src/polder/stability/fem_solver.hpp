@@ -93,7 +93,7 @@ class FemSolver {
   FemState unstressed() const;
   /// Stress from the weight above, σ'h = K0 σ'v, without displacement. In general not in equilibrium: follow with
   /// solve.
-  FemState k0(const FemAction& action, std::function<double(int material)> k0) const;
+  FemState k0(const FemAction& action, const std::function<double(int material)>& k0) const;
   /// Moves `state` to equilibrium with `action`. Where that fails, `state` holds the last iterate.
   FemOutcome solve(FemState& state, const FemAction& action, const FemOptions& options = {}) const;
   /// Force on the soil at the supports of a line, N/m (x, y).

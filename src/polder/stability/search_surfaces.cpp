@@ -103,7 +103,7 @@ SearchResult critical_free_surface(const PreparedSection& prepared, const Method
   evolution.population = 60;
   evolution.generations = 200;
   evolution.seed = options.seed;
-  const auto attempt = [&](Line points) {
+  const auto attempt = [&](const Line& points) {
     if (!smooth(points)) return trials.refuse("a kink is too sharp");
     const SlipSurface surface = free_surface(prepared, points);
     return best.offer(trials.factor(surface), surface);
@@ -117,12 +117,12 @@ SearchResult critical_free_surface(const PreparedSection& prepared, const Method
           for (std::size_t i = 0; i < n; ++i)
             for (std::size_t k = 0; k < 2; ++k)
               points[i][k] = band->upper[i][k] + at[i] * (band->lower[i][k] - band->upper[i][k]);
-          return attempt(std::move(points));
+          return attempt(points);
         },
         low, high, {}, evolution);
     return trials.finish(best.get());
   }
-  const SearchResult circle = critical_circle(
+  SearchResult circle = critical_circle(
       prepared, [](const Slices& slices, const SlipSurface& surface) { return bishop(slices, surface.circle); }, {},
       options);
   if (!circle) return circle;

@@ -40,8 +40,8 @@ std::string outside(const Points& points, const char* phase, const Array& values
 template <class Space, class Points>
 std::string escaped(const Lattice<Space>& lattice, const Points& points, const char* phase) {
   for (int a = 0; a < Space::axes; ++a) {
-    const std::string found = outside<Space>(points, phase, points.position[a], 0, lattice.length(a),
-                                             "it has left the model, or its position is not finite");
+    std::string found = outside<Space>(points, phase, points.position[a], 0, lattice.length(a),
+                                       "it has left the model, or its position is not finite");
     if (!found.empty()) return found;
   }
   return {};

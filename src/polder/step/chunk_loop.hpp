@@ -12,7 +12,7 @@ void over_chunks(const Tiling<Space>& tiling, Team& team, Body&& body) {
     team.each(static_cast<std::ptrdiff_t>(tiles.size()), [&](std::ptrdiff_t t) {
       const TileRange range = tiles[t];
       for (std::uint32_t done = 0; done < range.count; done += chunk_size)
-        body(static_cast<std::size_t>(range.first + done), std::min(chunk_size, static_cast<int>(range.count - done)));
+        body(std::size_t{range.first} + done, std::min(chunk_size, static_cast<int>(range.count - done)));
     });
 }
 

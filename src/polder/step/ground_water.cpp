@@ -18,7 +18,7 @@ void over_columns(const Lattice<Space>& lattice, Body&& body) {
   const int deep = Space::axes == 3 ? lattice.cells[1] : 1;
   for (int j = 0; j < deep; ++j)
     for (int i = 0; i < lattice.cells[0]; ++i)
-      body(static_cast<std::size_t>(j * lattice.cells[0] + i), (i + 0.5) * lattice.spacing[0],
+      body(static_cast<std::size_t>(j) * lattice.cells[0] + i, (i + 0.5) * lattice.spacing[0],
            Space::axes == 3 ? lattice.index(i, j, 0) : lattice.index(i, 0));
 }
 

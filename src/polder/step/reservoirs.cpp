@@ -49,6 +49,7 @@ std::vector<Column> columns_of(const Setup<Space>& setup, const Reservoir<Space>
     found->second.points.push_back(p);
   }
   std::vector<Column> list;
+  list.reserve(columns.size());
   for (auto& [place, column] : columns) list.push_back(std::move(column));
   return list;
 }

@@ -122,7 +122,7 @@ void update_soil(const Setup<Space>& setup, double dt, std::size_t first, int co
         const double mean = increments.volumetric[l] / Space::axes;
         for (int s = 0; s < N; ++s)
           soil.stress[s][p] =
-              s >= Space::axes && s < 3 ? 0 : 2 * viscosity * (increments.strain[s][l] - (s < 3 ? mean : 0)) / dt;
+              Space::axes == 2 && s == 2 ? 0 : 2 * viscosity * (increments.strain[s][l] - (s < 3 ? mean : 0)) / dt;
       } else if (was_fluid) {  // contact regained: nothing is remembered of the old stress
         for (int s = 0; s < N; ++s) soil.stress[s][p] = 0;
       } else {

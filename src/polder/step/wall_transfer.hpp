@@ -69,6 +69,7 @@ void over_seen_nodes(const ThinWalls<Space>& walls, const Lattice<Space>& lattic
 }
 
 /// Mass and momentum of component c; with `with_force`, the internal force too.
+// NOLINTBEGIN(readability-non-const-parameter): they are written in the lambda
 template <int c, bool with_force, class Space, class Points>
 void scatter_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& lattice, const Points& points,
                           const double* mass, const double* volume, std::size_t first, int count,
@@ -91,6 +92,7 @@ void scatter_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& l
     });
   }
 }
+// NOLINTEND(readability-non-const-parameter)
 
 /// As gather_component().
 template <int c, bool with_gradient, class Space>

@@ -116,8 +116,9 @@ Findings consolidate(const Study& study) {
                                       p0 * terzaghi(depths[k], T), samples.rows[i][k], layer.load});
       computed.x.push_back(samples.rows[i][k]), computed.y.push_back(layer.height * (1 - depths[k]));
     }
-    for (double z = 0; z <= 1.0001; z += 0.02)
+    for (const double z : fractions(50)) {
       exact.x.push_back(p0 * terzaghi(z, T)), exact.y.push_back(layer.height * (1 - z));
+    }
     const double final_settlement = layer.load / layer.modulus * layer.height;
     const double undrained = (layer.load - p0) / layer.modulus * layer.height;
     findings.comparisons.push_back({"settlement", fmt::format("T = {:g}, of its final value", T),
@@ -215,7 +216,7 @@ Findings large_strain(const Source& source) {
                                     samples.rows[i][1], layer.load});
     computed.x.push_back(T * per_T), computed.y.push_back(samples.rows[i][2]);
   }
-  for (double T = 0; T <= 1.0001; T += 0.01) exact.x.push_back(T * per_T), exact.y.push_back(settled(T));
+  for (const double T : fractions(100)) exact.x.push_back(T * per_T), exact.y.push_back(settled(T));
   chart.curves = {exact, computed};
   findings.figure = chart;
   return findings;

@@ -141,7 +141,9 @@ Findings stoker(const Source& source) {
   const double head = dam.place + middle.bore * t;
   double mean_depth = 0, mean_velocity = 0;
   int number = 0;
-  for (double x = tail + (head - tail) / 3; x < tail + 2 * (head - tail) / 3; x += dx, ++number) {
+  const double begin = tail + (head - tail) / 3;
+  for (; begin + number * dx < tail + 2 * (head - tail) / 3; ++number) {
+    const double x = begin + number * dx;
     mean_depth += interpolate(depth, x, dx);
     mean_velocity += column_velocity(run.state(), x);
   }

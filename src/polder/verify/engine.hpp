@@ -18,6 +18,13 @@ void run_case(Simulation<Space>& run, Watch&& watch) {
   }
 }
 
+/// first/parts, …, parts/parts: where an exact curve is drawn.
+inline std::vector<double> fractions(int parts, int first = 0) {
+  std::vector<double> all;
+  for (int i = first; i <= parts; ++i) all.push_back(static_cast<double>(i) / parts);
+  return all;
+}
+
 /// Values at given times, linear between the steps.
 class Samples {
  public:

@@ -75,7 +75,7 @@ Findings infiltrate(const Source& source) {
                                       column.head(y, hours[i] * 3600), samples.rows[i][z]});
       computed.x.push_back(samples.rows[i][z]), computed.y.push_back(y);
     }
-    for (double z = 0.01; z <= 1.0001; z += 0.01)
+    for (const double z : fractions(100, 1))
       exact.x.push_back(column.head(z * column.height, hours[i] * 3600)), exact.y.push_back(z * column.height);
     chart.curves.insert(chart.curves.end(), {exact, computed});
   }

@@ -93,7 +93,7 @@ void add_column(const Study& study, const std::string& material, Findings& findi
     findings.comparisons.push_back({"discharge", fmt::format("{}, i = {:g}", material, i), q, samples.rows[k][0]});
     computed.x.push_back(i), computed.y.push_back(samples.rows[k][0]);
   }
-  for (double i = 0; i <= 1.0001; i += 0.02) exact.x.push_back(i), exact.y.push_back(ergun_discharge(study.shipped, i));
+  for (const double i : fractions(50)) exact.x.push_back(i), exact.y.push_back(ergun_discharge(study.shipped, i));
   chart.curves.insert(chart.curves.end(), {exact, computed});
 }
 

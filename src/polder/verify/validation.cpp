@@ -104,7 +104,9 @@ const Validation* find_validation(std::string_view name) {
 
 std::optional<std::filesystem::path> measurements() {
   std::vector<std::filesystem::path> places;
-  if (const char* given = std::getenv("POLDER_SHARED")) places.emplace_back(given);
+  // Nothing in this program changes the environment.
+  if (const char* given = std::getenv("POLDER_SHARED"))  // NOLINT(concurrency-mt-unsafe)
+    places.emplace_back(given);
   for (const auto& cases : case_folders()) places.push_back(cases.parent_path().parent_path() / "shared");
   std::error_code unreadable;
   for (const auto& place : places)
