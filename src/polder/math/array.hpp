@@ -12,7 +12,7 @@ struct CacheLineAllocator {
   static constexpr std::align_val_t alignment{64};
   CacheLineAllocator() = default;
   template <class U>
-  explicit(false) CacheLineAllocator(const CacheLineAllocator<U>&) {}
+  explicit(false) CacheLineAllocator(const CacheLineAllocator<U>&) {}  // NOLINT(google-explicit-constructor)
   T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
   void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
   template <class U>
