@@ -219,6 +219,7 @@ Drawing draw_model(const Model& model, const ModelStyle& style) {
 
   Drawing drawing{width, 0, rgb(0xffffff), {}};
   std::vector<std::string> texts;
+  texts.reserve(entries.size() + model.monitors.size());
   for (const Entry& entry : entries) texts.push_back(entry.text);
   for (const Monitor& monitor : model.monitors) texts.push_back(monitor.name);
   const Legend legend = legend_layout(texts, drawing.width - 32);

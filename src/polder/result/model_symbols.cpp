@@ -72,7 +72,9 @@ void draw_stripes(Drawing& drawing, const std::vector<Point2>& polygon, const St
   constexpr double spacing = 9;
   double low = 1e300, high = -1e300;
   for (const Point2& p : polygon) low = std::min(low, p[0] + p[1]), high = std::max(high, p[0] + p[1]);
-  for (double level = spacing * std::ceil(low / spacing); level < high; level += spacing) {
+  const auto first = std::lround(std::ceil(low / spacing));
+  for (long stripe = first; static_cast<double>(stripe) * spacing < high; ++stripe) {
+    const double level = static_cast<double>(stripe) * spacing;
     std::vector<double> cuts;  // x − y of the crossings of x + y = level with the sides
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Point2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
