@@ -1,13 +1,14 @@
 // polder bench: how fast the engine is on this machine.
 #include <fmt/format.h>
 
-#include <iostream>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "case_argument.hpp"
 #include "commands.hpp"
 #include "polder/result/atomic_file.hpp"
 #include "polder/stage/guards.hpp"
+#include "polder/step/kernels.hpp"
 #include "polder/verify/bench.hpp"
 
 namespace polder::cli {
@@ -22,18 +23,12 @@ struct BenchOptions {
   int steps = 20, threads = 1;
 };
 
-struct Kernel {
-  const char *name, *key;
-  double StepTimes::*seconds;
-};
-
-constexpr Kernel kernels[] = {{"sort", "sort", &StepTimes::sort},
-                              {"points to grid", "points_to_grid", &StepTimes::to_grid},
-                              {"faces", "faces", &StepTimes::faces},
-                              {"pressure", "pressure", &StepTimes::pressure},
-                              {"volume", "volume", &StepTimes::volume},
-                              {"grid to points", "grid_to_points", &StepTimes::to_points},
-                              {"resample", "resample", &StepTimes::resample}};
+/// As in a heading: points_to_grid is "points to grid".
+std::string spoken(const Kernel& kernel) {
+  std::string name = kernel.key;
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
 
 const char* space_name(const Timing& t) { return t.space == SpaceKind::solid ? "3d" : "plane strain"; }
 
@@ -51,7 +46,7 @@ void print(const std::vector<Timing>& timings) {
                t.soil_points, t.water_points, t.threads, 1e3 / t.per_point(t.seconds), t.per_point(t.seconds),
                t.iterations, per_unknown(t), t.memory / static_cast<double>(t.points()));
   fmt::print("\nns per point and step, by kernel:\n{:<28}", "");
-  for (const Kernel& kernel : kernels) fmt::print("{:>16}", kernel.name);
+  for (const Kernel& kernel : kernels) fmt::print("{:>16}", spoken(kernel));
   fmt::print("\n");
   for (const Timing& t : timings) {
     fmt::print("{:<28}", fmt::format("{}, {}, {}", t.name, space_name(t), t.points()));

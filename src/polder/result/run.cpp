@@ -24,6 +24,7 @@
 #include "polder/result/vtk.hpp"
 #include "polder/result/vtk_reader.hpp"
 #include "polder/stage/checkpoint.hpp"
+#include "polder/step/kernels.hpp"
 
 namespace polder {
 
@@ -232,10 +233,7 @@ class Run {
                 {"underfilled_cells", audit.underfilled_most}};
     if (state.soil.size() > 0)
       s.maxima["porosity_at_end"] = *std::max_element(state.soil.porosity.begin(), state.soil.porosity.end());
-    const StepTimes& t = state.times;
-    s.kernel_seconds = {{"sort", t.sort},         {"points_to_grid", t.to_grid}, {"faces", t.faces},
-                        {"pressure", t.pressure}, {"volume", t.volume},          {"grid_to_points", t.to_points},
-                        {"resample", t.resample}};
+    for (const Kernel& kernel : kernels) s.kernel_seconds[kernel.key] = state.times.*kernel.seconds;
     s.case_inputs = case_json(model_);
     write_summary(folder_.path() / "summary.json", s);
     log_->info("{}; {} steps in {:.1f} s", s.reason, state.step - start_step_, wall);

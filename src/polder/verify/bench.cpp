@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "polder/stage/simulation.hpp"
+#include "polder/step/kernels.hpp"
 
 namespace polder::verify {
 namespace {
@@ -22,9 +23,9 @@ double resident_size() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-StepTimes operator-(const StepTimes& a, const StepTimes& b) {
-  return {a.sort - b.sort,     a.to_grid - b.to_grid,     a.faces - b.faces,      a.pressure - b.pressure,
-          a.volume - b.volume, a.to_points - b.to_points, a.resample - b.resample};
+StepTimes since(const StepTimes& start, StepTimes now) {
+  for (const Kernel& kernel : kernels) now.*kernel.seconds -= start.*kernel.seconds;
+  return now;
 }
 
 template <class Space>
@@ -32,7 +33,6 @@ Timing time_of(const Model& model, int steps, int threads) {
   Timing timing;
   timing.name = model.name;
   timing.space = model.space;
-  timing.steps = steps;
   const double before = resident_size();
   Simulation<Space> run(model, threads);
   for (int i = 0; i < std::max(2, steps / 10) && !run.finished(); ++i) run.advance();
@@ -45,7 +45,7 @@ Timing time_of(const Model& model, int steps, int threads) {
   const Stepper<Space>& state = run.state();
   timing.steps = done;
   timing.memory = resident_size() - before;
-  timing.kernels = state.times - at_start;
+  timing.kernels = since(at_start, state.times);
   timing.iterations = static_cast<double>(run.audit().pressure_iterations - iterations) / std::max(done, 1);
   timing.threads = state.team.size();
   timing.soil_points = state.soil.size();

@@ -116,9 +116,8 @@ Findings consolidate(const Study& study) {
                                       p0 * terzaghi(depths[k], T), samples.rows[i][k], layer.load});
       computed.x.push_back(samples.rows[i][k]), computed.y.push_back(layer.height * (1 - depths[k]));
     }
-    for (const double z : fractions(50)) {
+    for (const double z : fractions(50))
       exact.x.push_back(p0 * terzaghi(z, T)), exact.y.push_back(layer.height * (1 - z));
-    }
     const double final_settlement = layer.load / layer.modulus * layer.height;
     const double undrained = (layer.load - p0) / layer.modulus * layer.height;
     findings.comparisons.push_back({"settlement", fmt::format("T = {:g}, of its final value", T),
