@@ -149,11 +149,34 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
   return exits;
 }
 
+template <class Space>
+bool set_standing_water(const Setup<Space>& setup, const std::vector<int>& ground, double time, double gravity,
+                        PoreFields<Space>& pores) {
+  const auto& lattice = setup.lattice;
+  const double weight = setup.water.density * gravity, h = lattice.spacing[Space::up];
+  std::fill(pores.over_ground.begin(), pores.over_ground.end(), 0.0);
+  bool any = false;
+  over_columns(lattice, [&](std::size_t column, double x, std::ptrdiff_t lowest) {
+    if (ground[column] < 0 || setup.pore_water[ground[column]].kind != SeepageCondition::Kind::head) return;
+    const SeepageCondition& given = setup.pore_water[ground[column]];
+    const Surface top = surface_of(lattice, pores.bulk, lowest);
+    const double level = head_of(given, time, on_line(given.line, x).share);
+    if (top.level < 0 || level <= top.height) return;
+    any = true;
+    for (int k = std::max(0, top.level - 1); k < lattice.cells[Space::up] && (k + 0.5) * h < level; ++k)
+      pores.over_ground[lowest + k * lattice.stride[Space::up]] = weight * (level - (k + 0.5) * h);
+  });
+  return any;
+}
+
 template std::vector<int> ground_conditions(const Setup<PlaneStrain>&, const SoilPoints<PlaneStrain>&);
 template std::vector<int> ground_conditions(const Setup<Solid>&, const SoilPoints<Solid>&);
 template std::vector<PoreExit> pore_exits(const Setup<PlaneStrain>&, const std::vector<int>&, double, double,
                                           const PoreFields<PlaneStrain>&);
 template std::vector<PoreExit> pore_exits(const Setup<Solid>&, const std::vector<int>&, double, double,
                                           const PoreFields<Solid>&);
+template bool set_standing_water(const Setup<PlaneStrain>&, const std::vector<int>&, double, double,
+                                 PoreFields<PlaneStrain>&);
+template bool set_standing_water(const Setup<Solid>&, const std::vector<int>&, double, double, PoreFields<Solid>&);
 
 }  // namespace polder

@@ -16,4 +16,9 @@ template <class Space>
 std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<int>& ground, double time, double gravity,
                                  const PoreFields<Space>& pores);
 
+/// Sets `pores.over_ground` at `time`; true if water stands anywhere. Needs the cells' volumes.
+template <class Space>
+bool set_standing_water(const Setup<Space>& setup, const std::vector<int>& ground, double time, double gravity,
+                        PoreFields<Space>& pores);
+
 }  // namespace polder

@@ -26,10 +26,13 @@ struct PoreFields {
         relative(bulk),
         content(bulk),
         storage(bulk),
+        content_before(bulk),
+        pressure_before(bulk),
         volume_change(bulk),
         points_change(bulk),
         correction(bulk),
         surplus(bulk),
+        over_ground(bulk),
         flow(make_face_field(lattice)),
         held_mass(make_face_field(lattice)),
         host(static_cast<std::size_t>(lattice.size), -1),
@@ -48,10 +51,13 @@ struct PoreFields {
   Array saturation;                  ///< S at the start of the step, mean over the pores
   Array relative;                    ///< k_r
   Array content, storage;            ///< Θ(p), m³, and dΘ/dp, m³/Pa
+  Array content_before;              ///< Θ(p), m³, at the start of the step
+  Array pressure_before;             ///< Pa, at the start of the step
   Array volume_change;               ///< D, m³/s, by the faces' velocities
   Array points_change;               ///< the same by the points' own strains
   Array correction;                  ///< 1/s, of the points' rates of dilation
-  Array surplus;                     ///< water beyond Θ, over the pores
+  Array surplus;                     ///< water that a cell gained beyond the change of Θ in the step, over the pores
+  Array over_ground;                 ///< Pa, pressure of still water that stands on the ground, where there is any
   FaceField<Space> flow;             ///< m³/s of water through a face, along the axis, relative to the grains
   FaceField<Space> held_mass;        ///< kg of soil that never moves
   AlignedVector<std::int32_t> host;  ///< cell that stands for one without soil of its own; −1: itself
@@ -61,6 +67,7 @@ struct PoreFields {
   // of points, in their order
   std::array<Array, Space::axes * Space::axes> gradient;  ///< 1/s
   Array dilation;                                         ///< 1/s
+  Array pore_volume;                                      ///< m³, at the start of the step
 };
 
 }  // namespace polder

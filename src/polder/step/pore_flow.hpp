@@ -45,6 +45,22 @@ double pressure_force(const Lattice<Space>& lattice, const PoreFields<Space>& po
          lattice.spacing[axis];
 }
 
+/// Force on a face, N, along the axis, of still water that stands on the ground: what presses on either side in the
+/// room beside the soil, less that water's own weight. Nothing where there is no soil.
+template <class Space>
+double standing_water_force(const Lattice<Space>& lattice, const PoreFields<Space>& pores, double weight, int axis,
+                            std::ptrdiff_t face) {
+  const std::ptrdiff_t low = face - lattice.stride[axis];
+  const auto room = [&](std::ptrdiff_t cell) {
+    if (pores.over_ground[cell] == 0) return 0.0;
+    const double held = pores.bulk[cell] - pores.yielding[cell];
+    return lattice.cell_volume() - pores.weight[axis][cell] - held;
+  };
+  const double below = room(low), above = room(face);
+  const double push = (below * pores.over_ground[low] - above * pores.over_ground[face]) / lattice.spacing[axis];
+  return axis == Space::up ? push - 0.5 * weight * (below + above) : push;
+}
+
 /// D of every cell by the faces' velocities, that of cells without soil added to their hosts'.
 template <class Space>
 void set_volume_change(const Setup<Space>& setup, const GridFields<Space>& grid, PoreFields<Space>& pores, Team& team);

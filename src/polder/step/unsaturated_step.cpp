@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "polder/case/geometry.hpp"
 #include "polder/step/chunk.hpp"
@@ -57,7 +58,8 @@ double UnsaturatedStep<Space>::natural_step(const Setup<Space>& setup) const {
 /// Velocities with the pressures of the last step; the out-of-balance force over the weight.
 template <class Space>
 double UnsaturatedStep<Space>::predict(const Setup<Space>& setup, const StepControl& control, double dt,
-                                       GridFields<Space>& grid, Team& team) {
+                                       bool standing_water, GridFields<Space>& grid, Team& team) {
+  const double weight = setup.water.density * setup.gravity;
   const auto& lattice = setup.lattice;
   std::vector<double> row_sum(static_cast<std::size_t>(lattice.size), 0.0);
   double unbalanced = 0;
@@ -79,6 +81,7 @@ double UnsaturatedStep<Space>::predict(const Setup<Space>& setup, const StepCont
         grid.soil_velocity[c][f] = v;
         if (pores.leader[c][f] != static_cast<std::int8_t>(Leader::itself)) continue;
         double force = grid.soil_force[c][f] + pressure_force(lattice, pores, grid.pressure, c, f);
+        if (standing_water) force += standing_water_force(lattice, pores, weight, c, f);
         sum += std::abs(force);
         if (v != 0) force -= control.local_damping * std::abs(force) * (v > 0 ? 1 : -1);
         const double damped = 1 / (1 + control.damping * dt);
@@ -92,8 +95,8 @@ double UnsaturatedStep<Space>::predict(const Setup<Space>& setup, const StepCont
   return unbalanced / std::max(weight_, 1e-300);
 }
 
-/// What each cell holds after the step, exactly: what it held less what has left it. The difference from Θ(p) is spread
-/// over its pores; that of cells with little soil goes to their neighbour's below.
+/// What each cell holds after the step, exactly: what it held less what has left it. Its points gain what the curves
+/// say, and the difference is spread over its pores; that of cells with little soil goes to their neighbour's below.
 template <class Space>
 void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, const std::vector<PoreExit>& exits,
                                           bool held, GridFields<Space>& grid, Team& team,
@@ -104,7 +107,9 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
     double change = 0;
     for (std::size_t cell = 0; cell < pores.content.size(); ++cell) change += pores.content[cell] - pores.water[cell];
     exchanged.push_back({lattice.index(0, 0), change});
-    std::fill(pores.surplus.begin(), pores.surplus.end(), 0.0);
+    for (std::size_t cell = 0; cell < pores.content.size(); ++cell)
+      pores.surplus[cell] =
+          pores.pores[cell] > 0 ? (pores.content_before[cell] - pores.water[cell]) / pores.pores[cell] : 0;
     return;
   }
   Array left = pores.water;
@@ -120,12 +125,12 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
     exchanged.push_back({exit.cell, -dt * exit.out});
   }
   const double thin = thin_cell * lattice.cell_volume();
-  Array beyond = lattice.make_array();                                 // Θ(p)
+  Array beyond = lattice.make_array();                                 // the change of Θ
   for (std::ptrdiff_t row = lattice.row_count() - 1; row >= 0; --row)  // from above, so that each passes on once
     for (int i = lattice.cells[0] - 1; i >= 0; --i) {
       const std::ptrdiff_t cell =
           lattice.index(i, static_cast<int>(row % lattice.cells[1]), static_cast<int>(row / lattice.cells[1]));
-      beyond[cell] += left[cell] - pores.content[cell];
+      beyond[cell] += left[cell] - pores.water[cell] - (pores.content[cell] - pores.content_before[cell]);
       if (pores.bulk[cell] > thin || beyond[cell] == 0) continue;
       std::ptrdiff_t to = pores.host[cell];
       for (int turn = 0; to < 0 && turn < Space::axes; ++turn) {
@@ -201,23 +206,44 @@ void UnsaturatedStep<Space>::show_water(const Setup<Space>& setup, GridFields<Sp
 template <class Space>
 double UnsaturatedStep<Space>::pressure_at(const Setup<Space>& setup, const GridFields<Space>& grid,
                                            const std::array<double, 3>& x) const {
+  constexpr int up = Space::up;
   const auto& lattice = setup.lattice;
   const double weight = setup.water.density * setup.gravity;
+  std::array<int, 3> low{0, 0, 0};
+  std::array<double, 3> over{0, 0, 0};  // of the centre of that cell, cells
+  for (int a = 0; a < Space::axes; ++a) {
+    const double place = x[a] / lattice.spacing[a] - 0.5;
+    low[a] = static_cast<int>(std::floor(place));
+    over[a] = place - low[a];
+  }
   double sum = 0, shares = 0;
-  for (int corner = 0; corner < (1 << Space::axes); ++corner) {
-    std::array<int, 3> cell{0, 0, 0};
+  for (int corner = 0; corner < (1 << up); ++corner) {  // columns of cells around
+    std::array<int, 3> cell = low;
     double share = 1;
-    for (int a = 0; a < Space::axes; ++a) {
-      const double place = x[a] / lattice.spacing[a] - 0.5, low = std::floor(place);
-      const int up = corner >> a & 1;
-      cell[a] = std::clamp(static_cast<int>(low) + up, 0, lattice.cells[a] - 1);
-      share *= up ? place - low : 1 - (place - low);
+    for (int a = 0; a < up; ++a) {
+      const int high = corner >> a & 1;
+      cell[a] = std::clamp(low[a] + high, 0, lattice.cells[a] - 1);
+      share *= high ? over[a] : 1 - over[a];
     }
-    const std::ptrdiff_t at = lattice.index(cell[0], cell[1], cell[2]);
-    if (!pores.active[at]) continue;
-    const double above = (cell[Space::up] + 0.5) * lattice.spacing[Space::up] - x[Space::up];
-    sum += share * (grid.pressure[at] + weight * above);
-    shares += share;
+    const auto at = [&](int level) {
+      std::array<int, 3> place = cell;
+      place[up] = std::clamp(level, 0, lattice.cells[up] - 1);
+      return lattice.index(place[0], place[1], place[2]);
+    };
+    const auto head = [&](std::ptrdiff_t c) {
+      return grid.pressure[c] + weight * (lattice.place(c, up) + 0.5) * lattice.spacing[up];
+    };
+    const std::ptrdiff_t lower = at(low[up]), upper = at(low[up] + 1);
+    double of_upper = over[up];
+    if (pores.active[lower] && pores.active[upper]) {  // the head is lost where it is hard to flow
+      const double a = pores.resistance[1][lower], b = pores.resistance[1][upper];
+      if (a + b > 0) of_upper = (std::min(of_upper, 0.5) * a + std::max(of_upper - 0.5, 0.0) * b) / (0.5 * (a + b));
+    }
+    for (const auto& [c, part] : {std::pair{lower, share * (1 - of_upper)}, std::pair{upper, share * of_upper}}) {
+      if (!pores.active[c]) continue;
+      sum += part * (head(c) - weight * x[up]);
+      shares += part;
+    }
   }
   return shares > 0 ? sum / shares : 0;
 }
@@ -231,7 +257,10 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   mixture_to_grid(setup, soil, tiling, {setup.numerics.mass_scaling, dt}, gravity, grid, pores, team);
   prepare_cells(setup, setup.gravity, grid, pores);
   fill_pores(setup, grid, pores, team);
-  const double unbalanced = predict(setup, control, dt, grid, team);
+  pores.content_before = pores.content;
+  pores.pressure_before = grid.pressure;
+  const bool standing_water = set_standing_water(setup, ground_, control.time, setup.gravity, pores);
+  const double unbalanced = predict(setup, control, dt, standing_water, grid, team);
 
   SolveResult result;
   std::vector<PoreExit> exits;

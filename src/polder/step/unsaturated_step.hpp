@@ -40,7 +40,8 @@ class UnsaturatedStep {
                       SoilPoints<Space>& soil, GridFields<Space>& grid, PressureSolver<Space>& solver, Team& team,
                       Motion& motion, std::vector<Exchange>& exchanged);
 
-  /// Water pressure, Pa, at a place: linear between the cells' centres, still water where one of them has no soil.
+  /// Water pressure, Pa, at a place: heads linear between the cells' centres, upwards with a kink where the soil
+  /// changes, so that what flows is the same on both sides; still water where one of them has no soil.
   double pressure_at(const Setup<Space>& setup, const GridFields<Space>& grid, const std::array<double, 3>& x) const;
 
   template <class Archive>
@@ -57,7 +58,8 @@ class UnsaturatedStep {
   Calm calm;
 
  private:
-  double predict(const Setup<Space>& setup, const StepControl& control, double dt, GridFields<Space>& grid, Team& team);
+  double predict(const Setup<Space>& setup, const StepControl& control, double dt, bool standing_water,
+                 GridFields<Space>& grid, Team& team);
   void settle_books(const Setup<Space>& setup, double dt, const std::vector<PoreExit>& exits, bool held,
                     GridFields<Space>& grid, Team& team, std::vector<Exchange>& exchanged);
   void judge(const Setup<Space>& setup, double dt, const SoilPoints<Space>& soil, Team& team);

@@ -271,6 +271,7 @@ Motion strain_points(const Setup<Space>& setup, double dt, const GridFields<Spac
                      SoilPoints<Space>& soil, PoreFields<Space>& pores, Team& team) {
   for (auto& g : pores.gradient) g.resize(soil.size());
   pores.dilation.resize(soil.size());
+  pores.pore_volume.resize(soil.size());
   Motion motion = gather_rates(setup, grid, tiling, soil, pores, team);
   for (int pass = 0; pass < dilation_passes; ++pass) correct_dilation(setup, tiling, soil, pores, team);
   over_chunks(tiling, team, [&](std::size_t first, int count) {
@@ -278,6 +279,8 @@ Motion strain_points(const Setup<Space>& setup, double dt, const GridFields<Spac
     for (int c = 0; c < Space::axes; ++c)
       for (int a = 0; a < Space::axes; ++a)
         std::copy_n(pores.gradient[c * Space::axes + a].data() + first, count, gradients.at[c][a]);
+    for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p)
+      pores.pore_volume[p] = soil.porosity[p] * bulk_volume(setup, soil, p);
     double plastic_shear[chunk_size];
     update_soil(setup, dt, first, count, gradients, pores.dilation.data() + first, soil, plastic_shear);
   });
@@ -292,13 +295,14 @@ void move_points(const Setup<Space>& setup, double dt, const GridFields<Space>& 
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       const PoreSpace& space = setup.pores[soil.material[p]];
-      double filled = 0;
+      const auto ratio = [&](double pressure) { return water_ratio(space, pressure, setup.water.bulk_modulus).value; };
+      double before = 0, now = 0;  // of the pores
       box_of(setup, soil, p).over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
         if (share == 0) return;
-        filled +=
-            share * (water_ratio(space, grid.pressure[cell], setup.water.bulk_modulus).value + pores.surplus[cell]);
+        before += share * ratio(pores.pressure_before[cell]);
+        now += share * (ratio(grid.pressure[cell]) + pores.surplus[cell]);
       });
-      soil.water[p] = soil.porosity[p] * bulk_volume(setup, soil, p) * filled;
+      soil.water[p] += soil.porosity[p] * bulk_volume(setup, soil, p) * now - pores.pore_volume[p] * before;
       if (setup.materials[soil.material[p]].fixed) continue;
       for (int a = 0; a < Space::axes; ++a)
         soil.position[a][p] = std::clamp(soil.position[a][p] + dt * soil.velocity[a][p],

@@ -38,7 +38,8 @@ template <class Space>
 void pores_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
                    PoreFields<Space>& pores, Team& team);
 
-/// The cells' water to the points, n V [S(p)(1 + p/K) + surplus], and the points to where they move.
+/// What the cells' water has changed by to the points, Δ(n V S(p)(1 + p/K)) + n V surplus, and the points to where they
+/// move. Changes, not the water itself: that would be mixed between cells at every step by the points that lie in two.
 template <class Space>
 void move_points(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, const Tiling<Space>& tiling,
                  const PoreFields<Space>& pores, SoilPoints<Space>& soil, Team& team);
