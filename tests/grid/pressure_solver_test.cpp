@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 namespace polder {
 namespace {
@@ -59,6 +60,61 @@ TEST(PressureSolver, StandsLargeJumpsOfTheCoefficient) {
     const SolveResult result = solver.solve(ActiveRows(lattice, 1), x, 1e-6, 200, team);
     EXPECT_TRUE(result.converged) << contrast;
     EXPECT_LE(result.iterations, 60) << contrast;
+  }
+}
+
+/// Water over sand with a layer and a lens of clay, a sheet pile from the water into the sand, an uneven surface: the
+/// iterations that the pressure of a spring in the sand takes from zero to 1e-6.
+template <class Space>
+int iterations_around_sheet_pile(int n, double contrast) {
+  constexpr int up = Space::up;
+  std::array<int, 3> cells{2 * n, n, Space::axes == 3 ? n : 1};
+  const Lattice<Space> lattice(cells, {1, 1, 1});
+  const double width = cells[0], height = cells[up];
+  const auto place = [&](const std::array<int, 3>& cell) {
+    return std::pair{(cell[0] + 0.5) / width, (cell[up] + 0.5) / height};
+  };
+  const auto wet = [&](const std::array<int, 3>& cell) {
+    return cell[up] < static_cast<int>(height * (0.85 + 0.05 * std::sin(6.28 * cell[0] / width)));
+  };
+  const auto beta = [&](const std::array<int, 3>& cell) {
+    const auto [x, z] = place(cell);
+    const bool layer = z > 0.35 && z<0.5, lens = z> 0.1 && z < 0.3 && x > 0.6 && x < 0.8;
+    return layer || lens ? 1 / contrast : 1.0;
+  };
+  PressureSolver<Space> solver(lattice);
+  over_all_cells(lattice, [&](std::ptrdiff_t at, const std::array<int, 3>& cell) {
+    if (!wet(cell)) return;
+    for (int a = 0; a < Space::axes; ++a) {
+      std::array<int, 3> below = cell;
+      --below[a];
+      const bool pile = a == 0 && cell[0] == n && cell[up] >= 0.45 * height;
+      if (cell[a] == 0 || !wet(below) || pile) continue;
+      const double b = 2 / (1 / beta(cell) + 1 / beta(below));
+      solver.matrix.coupling[a][at] = b;
+      solver.matrix.diagonal[at] += b;
+      solver.matrix.diagonal[at - lattice.stride[a]] += b;
+    }
+    std::array<int, 3> above = cell;
+    ++above[up];
+    if (!wet(above)) solver.matrix.diagonal[at] += 2 * beta(cell);
+    const auto [x, z] = place(cell);
+    solver.right_side[at] = std::abs(x - 0.25) < 0.03 && z > 0.2 && z < 0.3 ? 1 : 0;
+  });
+  Team team(1);
+  Array x = lattice.make_array();
+  const SolveResult result = solver.solve(ActiveRows(lattice, 1), x, 1e-6, 100, team);
+  EXPECT_TRUE(result.converged) << n;
+  return result.iterations;
+}
+
+TEST(PressureSolver, StandsClayBesideSandUnderWaterWithASheetPile) {
+  for (const double contrast : {1.0, 1e3, 1e6}) {
+    const int coarse = iterations_around_sheet_pile<PlaneStrain>(32, contrast);
+    const int fine = iterations_around_sheet_pile<PlaneStrain>(128, contrast);
+    EXPECT_LE(fine, 25) << contrast;
+    EXPECT_LE(fine, 1.5 * coarse) << contrast;
+    EXPECT_LE(iterations_around_sheet_pile<Solid>(32, contrast), 25) << contrast;
   }
 }
 
