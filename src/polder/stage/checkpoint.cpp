@@ -49,19 +49,38 @@ void write(hid_t file, const std::string& name, const T* values, std::size_t cou
     throw CheckpointError("HDF5 cannot write '" + name + "'");
 }
 
-std::size_t length_of(hid_t file, const std::string& name) {
-  const Handle set(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
-  const Handle space(H5Dget_space(set.id), H5Sclose);
-  return static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id));
-}
+/// A data set of a checkpoint, in one piece as it is written. Its length is what the file says, and at most what the
+/// file has room for: nothing larger is ever allocated for it.
+class Stored {
+ public:
+  Stored(hid_t file, std::string name, std::size_t bytes_of_file)
+      : name_(std::move(name)), set_(H5Dopen2(file, name_.c_str(), H5P_DEFAULT), H5Dclose) {
+    const Handle space(H5Dget_space(set_.id), H5Sclose);
+    const Handle creation(H5Dget_create_plist(set_.id), H5Pclose);
+    const Handle type(H5Dget_type(set_.id), H5Tclose);
+    const hssize_t length = H5Sget_simple_extent_npoints(space.id);
+    const std::size_t width = H5Tget_size(type.id);
+    if (H5Pget_layout(creation.id) != H5D_CONTIGUOUS || length < 0 || width == 0 ||
+        static_cast<std::size_t>(length) > bytes_of_file / width)
+      throw CheckpointError("'" + name_ + "' is not stored as a run stores it");
+    length_ = static_cast<std::size_t>(length);
+    width_ = width;
+  }
 
-template <class T>
-void read(hid_t file, const std::string& name, T* values, std::size_t count) {
-  if (length_of(file, name) != count) throw CheckpointError("'" + name + "' has another length");
-  const Handle set(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose);
-  if (count > 0 && H5Dread(set.id, type_of<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
-    throw CheckpointError("HDF5 cannot read '" + name + "'");
-}
+  std::size_t length() const { return length_; }
+
+  template <class T>
+  void read(T* values, std::size_t count) const {
+    if (length_ != count || width_ != sizeof(T)) throw CheckpointError("'" + name_ + "' has another length");
+    if (count > 0 && H5Dread(set_.id, type_of<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0)
+      throw CheckpointError("HDF5 cannot read '" + name_ + "'");
+  }
+
+ private:
+  std::string name_;
+  Handle set_;
+  std::size_t length_ = 0, width_ = 0;
+};
 
 /// archive(name, value or array) that writes.
 struct Writer {
@@ -79,13 +98,15 @@ struct Writer {
 /// must have it.
 struct Reader {
   hid_t file;
+  std::size_t bytes;  ///< of the file
   template <class T>
   void operator()(const std::string& name, T& value) const {
+    const Stored stored(file, name, bytes);
     if constexpr (std::is_arithmetic_v<T>) {
-      read(file, name, &value, 1);
+      stored.read(&value, 1);
     } else {
-      if (name.starts_with("soil/") || name.starts_with("water/")) value.resize(length_of(file, name));
-      read(file, name, value.data(), value.size());
+      if (name.starts_with("soil/") || name.starts_with("water/")) value.resize(stored.length());
+      stored.read(value.data(), value.size());
     }
   }
 };
@@ -147,12 +168,13 @@ OutputState restore_checkpoint(const std::string& bytes, Simulation<Space>& run,
   std::string image = bytes.substr(0, bytes.size() - tail);
   H5Pset_file_image(access.id, image.data(), image.size());
   const Handle file(H5Fopen("checkpoint", H5F_ACC_RDONLY, access.id), H5Fclose);
-  std::string of(length_of(file.id, "case"), '\0');
-  read(file.id, "case", reinterpret_cast<std::uint8_t*>(of.data()), of.size());
+  const Stored stored_case(file.id, "case", image.size());
+  std::string of(stored_case.length(), '\0');
+  stored_case.read(reinterpret_cast<std::uint8_t*>(of.data()), of.size());
   if (of != case_text) throw CheckpointError("it belongs to another case: the case file has changed since");
   OutputState output;
-  each_output(output, Reader{file.id});
-  run.each_state(Reader{file.id});
+  each_output(output, Reader{file.id, image.size()});
+  run.each_state(Reader{file.id, image.size()});
   if (const std::string flaw = run.flaw(); !flaw.empty()) throw CheckpointError("its state cannot be: " + flaw);
   run.restored();
   return output;
