@@ -1,6 +1,8 @@
 // The dike for some hundred steps: the same state for any number of threads, and after a restart; nothing is lost.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "case_text.hpp"
 #include "polder/case/reader.hpp"
 #include "polder/stage/checkpoint.hpp"
 
@@ -45,6 +47,32 @@ TEST(Run, IsTheSameForAnyNumberOfThreads) {
       alone = state_of(run);
     else
       EXPECT_EQ(state_of(run), alone) << threads << " threads";
+  }
+}
+
+TEST(Run, LeavesNoSliverOfAStepAtAStagesEnd) {
+  constexpr double step = 1e-3;  // s, less than the pool's own
+  for (const double over : {1.0 + 1e-6, 1.1, 1.49, 1.51, 1.9}) {
+    const Model pool = read_text(fmt::format(R"(
+[model]
+size = ["0.4 m", "0.4 m"]
+cell = "0.1 m"
+[[free_water]]
+box = [["0 m", "0 m"], ["0.4 m", "0.2 m"]]
+[[stage]]
+name = "rest"
+duration = {}
+[numerics]
+max_step = {}
+)",
+                                             (3 + over) * step, step));
+    Simulation<PlaneStrain> run(pool, 1);
+    while (!run.finished()) {
+      const double dt = run.advance().dt;
+      EXPECT_GT(dt, 0.499 * step) << over;
+      EXPECT_LE(dt, step * (1 + 1e-12)) << over;
+    }
+    EXPECT_DOUBLE_EQ(run.time(), (3 + over) * step);
   }
 }
 

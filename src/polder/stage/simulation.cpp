@@ -77,8 +77,11 @@ StepReport Simulation<Space>::advance() {
 
   guards_.before_step(stepper_, time_);
   const double natural = stepper_.natural_step();
-  double dt = std::min(natural, to_next_gate());
   const double left = stage.duration - time_in_stage_;
+  const double until = std::min(left, to_next_gate());
+  double dt = natural >= until * (1 - 1e-9) ? until : natural;
+  // no sliver of a step is left over: what has gathered in a full step would be put right in a moment, with a blow
+  if (dt < until && until < 1.5 * dt) dt = until / 2;
   const bool last = dt >= left * (1 - 1e-9);
   if (last) dt = left;
   if (!(dt > 0) || (!last && natural < 1e-9 * std::min(stage.duration, 1.0)))

@@ -9,7 +9,9 @@ namespace polder {
 
 namespace {
 
-constexpr int most_iterations = 20;
+constexpr int most_iterations = 60;
+constexpr int full_steps = 6;  // of Newton; then a step that makes the error larger is taken back by halves
+constexpr double least_share = 1.0 / 64;
 constexpr double closed_to = 1e-9;  // of its pores: error of a cell's balance at which Newton ends
 
 /// Share of a face that soil fills: beside the surface, that of the less filled cell; upwards, soil that fills a tenth
@@ -46,6 +48,7 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
   Array conducts[Space::axes];
   for (auto& c : conducts) c = lattice.make_array();
   SolveResult total;
+  double last_error = 0, share = 1;  // of the increment, that has been added
 
   const auto flow = [&](int a, std::ptrdiff_t f) {
     const double head = a == Space::up ? weight * lattice.spacing[a] : 0;
@@ -54,6 +57,20 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
   const auto inner = [&](int a, std::ptrdiff_t cell, int end) {  // whether the cell's face at this end is inside
     const int place = lattice.place(cell, a);
     return end == 0 ? place > 0 : place < lattice.cells[a] - 1;
+  };
+
+  const auto add = [&](double factor) {  // so much of the increment, and what the soil makes of it
+    over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+      for (std::ptrdiff_t cell = first; cell < first + count; ++cell) grid.pressure[cell] += factor * increment[cell];
+    });
+    for (int a = 0; a < Space::axes; ++a)
+      over_face_rows(lattice, grid.rows, a, team, [&](std::ptrdiff_t first, int count, const auto&) {
+        const std::ptrdiff_t s = lattice.stride[a];
+        for (std::ptrdiff_t f = first; f < first + count; ++f)
+          grid.soil_velocity[a][f] += factor * grid.soil_response[a][f] / lattice.spacing[a] *
+                                      (pores.weight[a][f - s] * coupled[f - s] * increment[f - s] -
+                                       pores.weight[a][f] * coupled[f] * increment[f]);
+      });
   };
 
   for (int iteration = 0;; ++iteration) {
@@ -116,20 +133,18 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
       break;
     }
 
+    // where pores fill or begin to empty, the slope is another beyond, and full steps may go round in a circle
+    if (iteration > full_steps && error > last_error && share > least_share) {
+      share /= 2;
+      add(-share);
+      continue;
+    }
+    last_error = error;
+    share = 1;
     std::fill(increment.begin(), increment.end(), 0.0);
     const SolveResult result = solver.solve(grid.rows, increment, setup.numerics.pressure_tolerance, 400, team);
     total.iterations += result.iterations;
-    over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
-      for (std::ptrdiff_t cell = first; cell < first + count; ++cell) grid.pressure[cell] += increment[cell];
-    });
-    for (int a = 0; a < Space::axes; ++a)
-      over_face_rows(lattice, grid.rows, a, team, [&](std::ptrdiff_t first, int count, const auto&) {
-        const std::ptrdiff_t s = lattice.stride[a];
-        for (std::ptrdiff_t f = first; f < first + count; ++f)
-          grid.soil_velocity[a][f] += grid.soil_response[a][f] / lattice.spacing[a] *
-                                      (pores.weight[a][f - s] * coupled[f - s] * increment[f - s] -
-                                       pores.weight[a][f] * coupled[f] * increment[f]);
-      });
+    add(share);
   }
   return total;
 }
