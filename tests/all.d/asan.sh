@@ -4,4 +4,5 @@
 set -u
 cmake --preset asan >/dev/null && cmake --build --preset asan >&2 || exit 1
 export UBSAN_OPTIONS=print_stacktrace=1
+export LSAN_OPTIONS=suppressions=$PWD/tests/leaks.supp
 exec scripts/run-tests build/asan -LE 'long|layout'

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <regex>
 
 #include "polder/result/output_error.hpp"
 #include "sample_frame.hpp"
@@ -16,11 +15,12 @@ namespace {
 // Reads an appended array back by the offset that the header states.
 template <class Number>
 std::vector<Number> array_of(const std::string& file, const std::string& name) {
-  std::smatch match;
   const std::size_t mark = file.find("<AppendedData encoding=\"raw\">\n_") + 31;
   const std::string header = file.substr(0, mark);
-  if (!std::regex_search(header, match, std::regex("Name=\"" + name + "\"[^>]*offset=\"([0-9]+)\""))) return {};
-  const std::size_t offset = mark + std::stoul(match[1]);
+  const std::string named = "Name=\"" + name + "\"", says = "offset=\"";
+  const std::size_t begin = header.find(named), end = header.find('>', begin), at = header.find(says, begin);
+  if (begin == std::string::npos || at > end) return {};
+  const std::size_t offset = mark + std::stoul(header.substr(at + says.size()));
   std::uint64_t bytes = 0;
   std::memcpy(&bytes, file.data() + offset, sizeof bytes);
   std::vector<Number> values(bytes / sizeof(Number));
