@@ -12,7 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const ReadResult result = read_case(path);
   for (const Diagnostic& d : result.diagnostics) fuzz::require(!d.message.empty());
   fuzz::require(result.ok() || !format(result.diagnostics).empty());
-  if (result.ok()) {
+  if (!result.ok()) {
+    fuzz::refusals().add();
+  } else {
     fuzz::require(estimated_step(result.model) > 0 && cell_count(result.model) > 0);
     fuzz::require(!case_json(result.model).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).empty());
   }

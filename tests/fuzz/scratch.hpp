@@ -1,8 +1,10 @@
 #pragma once
-// A folder of this process for readers that take a path; it goes when the process ends.
+// A folder of this process for readers that take a path, in memory where there is such a file system (a disk would take
+// most of the time of a run); it goes when the process ends. What a reader refuses is counted and said at the end.
 #include <unistd.h>
 
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -11,7 +13,7 @@ namespace polder::fuzz {
 
 class Scratch {
  public:
-  Scratch() : path_(std::filesystem::temp_directory_path() / ("polder-fuzz-" + std::to_string(::getpid()))) {
+  Scratch() : path_(root() / ("polder-fuzz-" + std::to_string(::getpid()))) {
     std::filesystem::create_directories(path_);
   }
   ~Scratch() {
@@ -29,6 +31,11 @@ class Scratch {
   }
 
  private:
+  static std::filesystem::path root() {
+    const std::filesystem::path memory = "/dev/shm";
+    return ::access(memory.c_str(), W_OK | X_OK) == 0 ? memory : std::filesystem::temp_directory_path();
+  }
+
   std::filesystem::path path_;
 };
 
@@ -36,6 +43,21 @@ class Scratch {
 inline const Scratch& scratch() {
   static const Scratch folder;
   return folder;
+}
+
+/// Inputs refused with a message; the number is printed when the process ends.
+class Refusals {
+ public:
+  ~Refusals() { std::fprintf(stderr, "refused: %llu\n", static_cast<unsigned long long>(count_)); }
+  void add() { ++count_; }
+
+ private:
+  std::uint64_t count_ = 0;
+};
+
+inline Refusals& refusals() {
+  static Refusals all;
+  return all;
 }
 
 /// What must hold, in every build.

@@ -49,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     use(text.starts_with("PK") ? stability::read_stix(fuzz::scratch().write("model.stix", text))
                                : stability::read_stix_files(members_of(text), "fuzz"));
   } catch (const std::invalid_argument&) {
-    // a message, as promised
+    fuzz::refusals().add();  // with a message, as promised
   }
   return 0;
 }
