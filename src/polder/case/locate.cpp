@@ -9,6 +9,7 @@ namespace {
 
 constexpr const char* file_name = "case.toml";
 constexpr const char* verification = "verify";  // folder of the cases of `polder verify`
+constexpr const char* examples = "examples";    // folder of the small cases of the guide
 
 bool is_file(const fs::path& path) {
   std::error_code unreadable;
@@ -43,7 +44,7 @@ std::optional<fs::path> find_case(std::string_view name_or_path, std::span<const
   const bool is_name = path.has_filename() && path == path.filename() && path != "." && path != "..";
   if (!is_name) return std::nullopt;
   for (const fs::path& folder : folders)
-    for (const fs::path& place : {folder / path, folder / verification / path})
+    for (const fs::path& place : {folder / path, folder / verification / path, folder / examples / path})
       if (is_file(place / file_name)) return place / file_name;
   return std::nullopt;
 }
