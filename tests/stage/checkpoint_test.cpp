@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
+#include <cmath>
+
 #include "case_text.hpp"
 
 namespace polder {
@@ -108,6 +110,32 @@ TEST_F(StoredCheckpoint, IsRefusedWhenADataSetIsStoredOtherwise) {
   EXPECT_REFUSED("has another length", "step", H5T_NATIVE_UINT8, 1);
   EXPECT_REFUSED("has another length", "time", H5T_NATIVE_DOUBLE, 2);
   EXPECT_REFUSED("has another length", "grid/pressure", H5T_NATIVE_DOUBLE, 3);
+}
+
+// What the fuzzer found: a value beyond all reason, finite though, and the next step looked for the cell of a point
+// that was nowhere.
+TEST_F(StoredCheckpoint, WithValuesBeyondReasonEndsAtAGuard) {
+  const auto ends = [&](auto&& spoil) {
+    Simulation<PlaneStrain> run(model, 1);
+    for (int step = 0; step < 3; ++step) run.advance();
+    spoil(run.state());
+    Simulation<PlaneStrain> again(model, 1);
+    try {
+      restore_checkpoint(checkpoint_bytes(run, OutputState{}, "case"), again, "case");
+      for (int step = 0; step < 20; ++step) again.advance();
+    } catch (const CheckpointError&) {
+      return true;
+    } catch (const RunFailure&) {
+      return true;
+    }
+    return false;
+  };
+  for (const double value : {-3e231, 3e231, 1e300}) {
+    EXPECT_TRUE(ends([&](auto& state) { state.water.velocity[1][5] = value; })) << value;
+    EXPECT_TRUE(ends([&](auto& state) { state.water.affine[2][5] = value; })) << value;
+    EXPECT_TRUE(ends([&](auto& state) { state.water.volume[5] = std::abs(value); })) << value;
+    EXPECT_TRUE(ends([&](auto& state) { state.water.elongation[0][5] = value; })) << value;
+  }
 }
 
 }  // namespace

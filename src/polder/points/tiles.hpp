@@ -4,6 +4,7 @@
 // Within a colour no two tiles write to the same face: a point writes from one cell below to three above its own, and
 // may have drifted half a cell since the last sort, so a tile of six cells or more suffices. Tiles of a colour are
 // processed by any thread in any order; the colours one after the other. So every sum has one order.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -28,14 +29,13 @@ struct Tiling {
 /// Drift since the last sort, in cells, beyond which points must be sorted again.
 inline constexpr double largest_drift = 0.5;
 
-/// Cell of a position, clamped to the lattice.
+/// Cell of a position, clamped to the lattice; that of what is no number is 0 (within a step positions may be anything:
+/// the guards look at them when it is done).
 template <class Space>
 std::array<int, 3> cell_of(const Lattice<Space>& lattice, const std::array<double, 3>& x) {
   std::array<int, 3> cell{0, 0, 0};
-  for (int a = 0; a < Space::axes; ++a) {
-    const int c = static_cast<int>(x[a] / lattice.spacing[a]);
-    cell[a] = c < 0 ? 0 : c >= lattice.cells[a] ? lattice.cells[a] - 1 : c;
-  }
+  for (int a = 0; a < Space::axes; ++a)
+    cell[a] = static_cast<int>(std::min(std::max(0.0, x[a] / lattice.spacing[a]), lattice.cells[a] - 1.0));
   return cell;
 }
 
