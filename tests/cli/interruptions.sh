@@ -39,3 +39,4 @@ cmp whole/history.csv parts/history.csv || fail "history.csv differs"
 cmp whole/points.pvd parts/points.pvd || fail "points.pvd differs"
 for file in whole/points/*.vtp; do cmp "$file" "parts/points/${file##*/}" || fail "$file differs"; done
 [ "$(ls whole/points)" = "$(ls parts/points)" ] || fail "other snapshots"
+echo "record: kill showcase-interrupted $interruptions 0 by SIGINT, SIGTERM and SIGKILL in turn"

@@ -146,7 +146,7 @@ inline void expect_nothing_lost(int kills, unsigned seed, double end) {
   EXPECT_EQ(bytes_of(folder.path / "parts/points.pvd"), bytes_of(folder.path / "whole/points.pvd"));
   for (const auto& entry : std::filesystem::directory_iterator(folder.path / "whole/points"))
     EXPECT_EQ(bytes_of(folder.path / "parts/points" / entry.path().filename()), bytes_of(entry.path()));
-  std::cout << kills << " kills, " << files << " files read, none lost" << std::endl;
+  std::cout << "record: kill kill-9-at-random-moments " << kills << " 0 " << files << " files read" << std::endl;
   testing::Test::RecordProperty("kills", kills);
   testing::Test::RecordProperty("files_read", files);
 }

@@ -2,6 +2,7 @@
 // says which, where and when.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <limits>
 
 #include "case_text.hpp"
@@ -40,6 +41,11 @@ duration = "0.4 s"
 )" + more);
 }
 
+/// For docs/reliability.md.
+void record(const std::string& said) {
+  std::printf("record: guard %s 1 0 %s\n", testing::UnitTest::GetInstance()->current_test_info()->name(), said.c_str());
+}
+
 /// Runs to the end after `spoil` has changed the state at the tenth step. The failure's message; empty: none.
 template <class Spoil>
 std::string failure(const Model& model, Spoil&& spoil) {
@@ -54,6 +60,7 @@ std::string failure(const Model& model, Spoil&& spoil) {
     EXPECT_NE(std::string(error.what()).find("t = "), std::string::npos) << error.what();
     // whatever the state is, it can be saved
     EXPECT_FALSE(checkpoint_bytes(run, OutputState{}, "case").empty());
+    record(error.what());
     return error.what();
   }
   return {};
@@ -149,6 +156,7 @@ std::string warnings(const Model& model, int when, Spoil&& spoil) {
   }
   std::string all;
   for (const std::string& warning : run.guards().warnings()) all += warning + "\n";
+  if (when >= 0) record(all.substr(0, all.find('\n')));
   return all;
 }
 
