@@ -16,6 +16,7 @@ using support::Random;
 const std::map<std::string_view, support::Given>& examples() {
   static const std::map<std::string_view, support::Given> table = {
       {"linear-elastic", {{"young_modulus", 1e7}}},
+      {"neo-hookean", {{"young_modulus", 1e7}}},
       {"mohr-coulomb",
        {{"young_modulus", 1e7},
         {"friction_angle", degrees(32)},

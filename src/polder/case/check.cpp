@@ -378,6 +378,7 @@ void check_model(const Sections& sections, Model& model, Diagnostics& diagnostic
   check_boundaries(c);
   check_openings(sections, model, diagnostics);
   check_walls(sections, model, diagnostics);
+  check_sides(sections, model, diagnostics);
   check_stages(c);
   check_monitors(c);
 }

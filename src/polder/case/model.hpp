@@ -29,6 +29,7 @@ struct WaterProperties {
   double density = 1000;        ///< kg/m³
   double bulk_modulus = 2.2e9;  ///< Pa
   double viscosity = 1.0e-3;    ///< Pa s
+  bool viscous = false;         ///< free water has viscous stresses, too; else only the drag knows of its viscosity
 };
 
 struct MaterialInput {
@@ -62,7 +63,8 @@ struct FreeWaterBody {
 };
 
 enum class SoilCondition { none, roller, rough };
-enum class WaterCondition { closed, open, reservoir, head, inflow };
+/// `no_slip`: closed, and the water sticks to it.
+enum class WaterCondition { closed, open, reservoir, head, inflow, no_slip };
 enum class Side { left, right, base, top, front, back };
 
 /// What happens along a side of the model, along a grid-aligned line inside it, or in a region (reservoir).
@@ -77,6 +79,9 @@ struct Boundary {
   Table head;                                 ///< m above datum y = 0, as a function of time (reservoir, head)
   Table inflow;                               ///< m/s into the model, as a function of time (inflow)
   std::optional<std::array<double, 2>> span;  ///< m, the part of a side with a head or an inflow: along x, or height
+  /// A side that moves, m/s, as functions of time: along itself (towards +x, of upright sides upwards), with which goes
+  /// what sticks to it, and into the model. Its place on the grid stays.
+  Table slide, push;
 };
 
 /// A pressure on the ground, downwards; it moves with the soil that is at the surface at the start.
@@ -153,6 +158,8 @@ struct Model {
   std::array<double, 3> size{0, 0, 0};  ///< m; x, height (2d) or x, y, height (3d)
   std::array<double, 3> cell{0, 0, 0};  ///< m, spacing per axis
   double gravity = 9.81;                ///< m/s²
+  double tilt = 0;                      ///< rad, of gravity from the vertical towards +x
+  bool periodic = false;                ///< what leaves on the right comes in on the left, and the other way
   int points_per_axis = 2;              ///< soil and water points per cell and axis at the start
   WaterProperties water;
   std::vector<MaterialInput> materials;

@@ -76,6 +76,8 @@ Json boundary_json(const Boundary& b) {
   if (!b.region.polygon.empty()) json["region"] = b.region.polygon;
   add_table(json, "head", b.head);
   add_table(json, "inflow", b.inflow);
+  add_table(json, "slide", b.slide);
+  add_table(json, "push", b.push);
   if (b.span) json["span"] = *b.span;
   return json;
 }
@@ -149,13 +151,16 @@ Json case_json(const Model& model) {
                    {"size", per_axis(model.size)},
                    {"cell", per_axis(model.cell)},
                    {"gravity", model.gravity},
+                   {"tilt", model.tilt},
+                   {"periodic", model.periodic},
                    {"points_per_axis", model.points_per_axis},
                    {"formulation", model.unsaturated    ? "unsaturated"
                                    : model.single_point ? "single-point"
                                                         : "double-point"}};
   json["water"] = {{"density", model.water.density},
                    {"bulk_modulus", model.water.bulk_modulus},
-                   {"viscosity", model.water.viscosity}};
+                   {"viscosity", model.water.viscosity},
+                   {"viscous", model.water.viscous}};
   json["material"] = Json::array();
   for (const MaterialInput& m : model.materials) json["material"].push_back(material_json(m));
   json["soil"] = Json::array();

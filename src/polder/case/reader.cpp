@@ -36,6 +36,8 @@ void read_model(const Fields& f, Model& model, Diagnostics& diagnostics) {
   model.title = f.text("title");
   model.space = f.text("space") == "3d" ? SpaceKind::solid : SpaceKind::plane_strain;
   model.gravity = f.number("gravity", model.gravity);
+  model.tilt = f.number("tilt", model.tilt);
+  model.periodic = f.flag("periodic");
   model.unsaturated = f.text("formulation") == "unsaturated";
   model.single_point = model.unsaturated || f.text("formulation") == "single-point";
   model.points_per_axis = static_cast<int>(f.number("points_per_axis", model.points_per_axis));
@@ -63,6 +65,7 @@ void read_water(const Fields& f, WaterProperties& water) {
   water.density = f.number("density", water.density);
   water.bulk_modulus = f.number("bulk_modulus", water.bulk_modulus);
   water.viscosity = f.number("viscosity", water.viscosity);
+  water.viscous = f.flag("viscous");
 }
 
 MaterialInput read_material(const Fields& f, const LawDescription* law, const Model& model, Diagnostics& diagnostics) {
@@ -144,8 +147,8 @@ SoilBody read_soil(const Fields& f, const Model& model, Diagnostics& diagnostics
 Boundary read_boundary(const Fields& f, Diagnostics& diagnostics) {
   static constexpr Side sides[] = {Side::left, Side::right, Side::base, Side::top, Side::front, Side::back};
   static constexpr SoilCondition soils[] = {SoilCondition::none, SoilCondition::roller, SoilCondition::rough};
-  static constexpr WaterCondition waters[] = {WaterCondition::closed, WaterCondition::open, WaterCondition::reservoir,
-                                              WaterCondition::head, WaterCondition::inflow};
+  static constexpr WaterCondition waters[] = {WaterCondition::closed, WaterCondition::open,   WaterCondition::reservoir,
+                                              WaterCondition::head,   WaterCondition::inflow, WaterCondition::no_slip};
   Boundary boundary;
   boundary.name = f.text("name").empty() ? f.text("side") : f.text("name");
   if (const Entry* side = f.find("side")) boundary.side = sides[static_cast<std::size_t>(side->number)];
@@ -155,6 +158,8 @@ Boundary read_boundary(const Fields& f, Diagnostics& diagnostics) {
   boundary.region.polygon = points2(f.find("region"));
   if (const Entry* head = f.find("head")) boundary.head = head->table;
   if (const Entry* inflow = f.find("inflow")) boundary.inflow = inflow->table;
+  if (const Entry* slide = f.find("slide")) boundary.slide = slide->table;
+  if (const Entry* push = f.find("push")) boundary.push = push->table;
   const Entry* span = f.find("span");
   if (span && span->numbers.size() == 2 && span->numbers[0] < span->numbers[1])
     boundary.span = {span->numbers[0], span->numbers[1]};

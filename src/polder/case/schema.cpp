@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "polder/case/seepage_section.hpp"
 #include "polder/case/stability_section.hpp"
@@ -71,6 +72,12 @@ std::vector<Key> make_keys() {
        "Spacing of the grid: one for all axes, or one per axis. The size must be a multiple of it."},
       {"model", "gravity", "g", "acceleration", false, "9.81 m/s2", 0, 1000, R"("9.81 m/s2")",
        "Acceleration of gravity, downwards; more than 9.81 m/s2 in a centrifuge."},
+      {"model", "tilt", "", "angle", false, "0 deg", -std::numbers::pi / 2, std::numbers::pi / 2, R"("20 deg")",
+       "Gravity leans from the vertical towards +x by this angle: the model of a slope, or of a channel, is drawn "
+       "level. "
+       "Initial stress is then `none` or by `gravity`."},
+      {"model", "periodic", "", "flag", false, "false", any, infinity, "false",
+       "What leaves the model on the right comes in on the left and the other way round: a piece of something long."},
       {"model", "points_per_axis", "", "count", false, "2", 1, 8, "2",
        "Soil and water points per cell along each axis at the start."},
       {"model", "formulation", "", "choice:double-point|single-point|unsaturated", false, "double-point", any, infinity,
@@ -84,6 +91,10 @@ std::vector<Key> make_keys() {
       {"water", "bulk_modulus", "Kw", "pressure", false, "2.2 GPa", 1e4, 1e11, R"("2.2 GPa")",
        "Stiffness in compression. The true one costs nothing here; papers reduce it to lengthen an explicit step."},
       {"water", "viscosity", "μ", "viscosity", false, "1e-3 Pa s", 1e-7, 1e3, R"("1e-3 Pa s")", "Dynamic viscosity."},
+      {"water", "viscous", "", "flag", false, "false", any, infinity, "false",
+       "Free water has (laminar) viscous stresses. Left out: only the drag in soil knows of the viscosity, for "
+       "boundary "
+       "layers of water are far thinner than cells."},
       // ---- material
       {"material", "name", "", "name", true, "", any, infinity, R"("sand")", "By which `[[soil]]` refers to it."},
       {"material", "law", "", "text", true, "", any, infinity, R"("mohr-coulomb")",
@@ -159,11 +170,20 @@ std::vector<Key> make_keys() {
        "Instead of a side: two points of a vertical or horizontal line that lies on the grid."},
       {"boundary", "soil", "", "choice:none|roller|rough", false, "roller", any, infinity, R"("rough")",
        "`roller`: no displacement of the soil across it; `rough`: none at all; `none`: the soil does not feel it."},
-      {"boundary", "water", "", "choice:closed|open|reservoir|head|inflow", false, "closed", any, infinity,
+      {"boundary", "water", "", "choice:closed|open|reservoir|head|inflow|no-slip", false, "closed", any, infinity,
        R"("closed")",
        "`closed`: no flow; `open`: water passes freely; `reservoir`: the head is given in a region; `head`: the head "
        "is "
-       "given on a side, above it water may only leave (a seepage face); `inflow`: the discharge is given on a side."},
+       "given on a side, above it water may only leave (a seepage face); `inflow`: the discharge is given on a side; "
+       "`no-slip`: a side is closed and water sticks to it."},
+      {"boundary", "slide", "", "table of velocity", false, "", -100, 100, R"("0.1 m/s")",
+       "A side moves along itself, towards +x or, an upright one, upwards, and takes with it what sticks to it "
+       "(`rough` "
+       "soil, `no-slip` water): one value, a list [[time, velocity], …], or a CSV file."},
+      {"boundary", "push", "", "table of velocity", false, "", -100, 100, R"([["0 s", "1 mm/s"]])",
+       "A side moves into the model, as a rigid plate (negative: out of it). For displacements that are small against "
+       "a "
+       "cell: its place on the grid stays."},
       {"boundary", "region", "", "polygon", false, "", any, infinity,
        R"([["0 m", "0 m"], ["0.3 m", "0 m"], ["0.3 m", "1.5 m"], ["0 m", "1.5 m"]])",
        "Where a reservoir keeps its level."},

@@ -53,6 +53,9 @@ void check_openings(const Sections& sections, const Model& model, Diagnostics& d
 /// Walls that are not in the model or too short for the grid; says how far a wall is from the faces that it lies on.
 void check_walls(const Sections& sections, const Model& model, Diagnostics& diagnostics);
 
+/// Sides that move or that water sticks to, gravity that leans, models without ends.
+void check_sides(const Sections& sections, const Model& model, Diagnostics& diagnostics);
+
 /// What may be written but cannot be computed by this version.
 void check_limits(const Sections& sections, const Model& model, Diagnostics& diagnostics);
 

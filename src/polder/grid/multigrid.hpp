@@ -26,8 +26,11 @@ template <class Space>
 struct CellMatrix {
   Array diagonal;
   std::array<Array, Space::axes> coupling;
+  /// Of a periodic lattice, at the first cell of each row: its coupling to the row's last cell. The preconditioner does
+  /// without it.
+  Array seam;
 
-  explicit CellMatrix(const Lattice<Space>& lattice) : diagonal(lattice.make_array()) {
+  explicit CellMatrix(const Lattice<Space>& lattice) : diagonal(lattice.make_array()), seam(lattice.make_array()) {
     for (auto& a : coupling) a = lattice.make_array();
   }
 };

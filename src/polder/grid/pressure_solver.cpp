@@ -43,6 +43,18 @@ void PressureSolver<Space>::multiply_row(const double* x, double* __restrict y, 
   }
 }
 
+/// The couplings of a periodic lattice's rows to themselves, after multiply_row().
+template <class Space>
+void PressureSolver<Space>::close_row(const double* x, double* y, std::ptrdiff_t row) const {
+  const std::ptrdiff_t first =
+      lattice_.index(0, static_cast<int>(row % lattice_.cells[1]), static_cast<int>(row / lattice_.cells[1]));
+  const double seam = matrix.seam[first];
+  if (seam == 0) return;
+  const std::ptrdiff_t last = first + lattice_.cells[0] - 1;
+  y[first] -= seam * x[last];
+  y[last] -= seam * x[first];
+}
+
 /// Σ over rows of term(index of the span's first cell, number of cells, row), the rows' sums added in sequence by every
 /// thread.
 template <class Space>
@@ -73,6 +85,7 @@ void PressureSolver<Space>::leave(const std::vector<RowSpan>& now) {
       const std::ptrdiff_t cell = lattice_.index(i, j, k);
       matrix.diagonal[cell] = 0;
       for (auto& coupling : matrix.coupling) coupling[cell] = 0;
+      matrix.seam[cell] = 0;
     }
   }
   last_ = now;
@@ -117,8 +130,9 @@ SolveResult PressureSolver<Space>::solve_together(const ActiveRows<Space>& rows,
     std::vector<std::ptrdiff_t> bounds;
     deal_out(inside_, team.size(), bounds);
     const auto sum_inside = [&](int slot, auto&& term) { return sum_rows(inside_, bounds, team, rank, slot, term); };
-    double rr = sum_inside(1, [&](std::ptrdiff_t at, int n, std::ptrdiff_t) {
+    double rr = sum_inside(1, [&](std::ptrdiff_t at, int n, std::ptrdiff_t row) {
       multiply_row(x.data(), product_.data(), at, n);
+      close_row(x.data(), product_.data(), row);
       POLDER_INDEPENDENT
       for (std::ptrdiff_t i = at; i < at + n; ++i) residual_[i] = right_side[i] - product_[i];
       return dot(residual_.data() + at, residual_.data() + at, n);
@@ -143,8 +157,9 @@ SolveResult PressureSolver<Space>::solve_together(const ActiveRows<Space>& rows,
         for (std::ptrdiff_t i = at; i < at + n; ++i) direction_[i] = preconditioned_[i] + beta * direction_[i];
         return 0.0;
       });
-      const double dq = sum_inside(0, [&](std::ptrdiff_t at, int n, std::ptrdiff_t) {
+      const double dq = sum_inside(0, [&](std::ptrdiff_t at, int n, std::ptrdiff_t row) {
         multiply_row(direction_.data(), product_.data(), at, n);
+        close_row(direction_.data(), product_.data(), row);
         return dot(direction_.data() + at, product_.data() + at, n);
       });
       ++iterations;

@@ -28,6 +28,7 @@ class PressureSolver {
                              Team& team);
   void leave(const std::vector<RowSpan>& now);  // empties the matrix where it was filled once, but is no longer
   void multiply_row(const double* x, double* y, std::ptrdiff_t at, std::ptrdiff_t n) const;
+  void close_row(const double* x, double* y, std::ptrdiff_t row) const;
   template <class Term>
   double sum_rows(const std::vector<RowSpan>& spans, const std::vector<std::ptrdiff_t>& bounds, Team& team, int rank,
                   int slot, Term&& term);

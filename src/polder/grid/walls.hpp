@@ -5,6 +5,8 @@
 // what they read there is the mirror image (reflect): even for scalars, masses and, at a smooth wall, tangential
 // components; odd for the component normal to the wall and, at a fully rough wall, for the tangential ones too. At a
 // side that is open all is even: what lies beyond moves as what is inside. A side may be open in a part of it only.
+// Walls may move: then what is odd is so about the wall's velocity. Where the model is periodic along x, what lies
+// beyond one end is what is inside the other, and the faces on the two ends are the same ones.
 #include <array>
 #include <limits>
 
@@ -12,7 +14,7 @@
 
 namespace polder {
 
-enum class WallKind { smooth, rough, open };
+enum class WallKind { smooth, rough, open, periodic };
 
 struct PhaseBox {
   std::array<int, 3> low{0, 0, 0};                ///< first cell inside, per axis
@@ -26,6 +28,10 @@ struct PhaseBox {
     bool covers(int cell) const { return cell >= from && cell < to; }
   };
   std::array<std::array<Opening, 2>, 3> opening{};  ///< [axis][side], where the wall is open
+
+  std::array<std::array<std::array<double, 3>, 2>, 3> velocity{};  ///< [axis][side][component], m/s, of the wall now
+
+  bool periodic(int axis) const { return wall[static_cast<std::size_t>(axis)][0] == WallKind::periodic; }
 };
 
 /// Axis along which the opening of a side is counted.
@@ -49,7 +55,8 @@ void over_plane(const Lattice<Space>& lattice, int axis, Body&& body) {
         body(i + j * lattice.stride[1] + k * lattice.stride[2], std::array<std::ptrdiff_t, 3>{i, j, k});
 }
 
-/// Calls body(ghost, image, sign) for every pair of positions that a wall makes mirror images of each other.
+/// Calls body(ghost, image, sign, twice the velocity of the wall) for every pair of positions that a wall makes mirror
+/// images of each other: the value at the ghost is sign × that at the image + twice the wall's velocity.
 template <class Space, class Body>
 void over_mirrors(int component, bool motion, const PhaseBox& box, const Lattice<Space>& lattice, Body&& body) {
   for (int axis = 0; axis < Space::axes; ++axis) {
@@ -57,8 +64,16 @@ void over_mirrors(int component, bool motion, const PhaseBox& box, const Lattice
     const std::ptrdiff_t s = lattice.stride[axis], origin = Lattice<Space>::ghost_low * s;
     for (int side = 0; side < 2; ++side) {
       const WallKind kind = box.wall[axis][side];
+      if (kind == WallKind::periodic) {
+        const std::ptrdiff_t cells = lattice.cells[axis];
+        const std::ptrdiff_t ghost = origin + (side == 0 ? -1 : normal ? cells + 1 : cells) * s;
+        const std::ptrdiff_t image = ghost + (side == 0 ? cells : -cells) * s;
+        over_plane(lattice, axis, [&](std::ptrdiff_t at, const auto&) { body(at + ghost, at + image, 1.0, 0.0); });
+        continue;
+      }
       const bool odd = normal ? kind != WallKind::open : kind == WallKind::rough;
       const double sign = motion && odd ? -1.0 : 1.0;
+      const double twice = motion && odd && component >= 0 ? 2 * box.velocity[axis][side][component] : 0.0;
       // faces normal to the wall sit on it and mirror about it; everything else is half a cell off
       const int low = box.low[axis], high = box.high[axis];
       const std::ptrdiff_t ghost = origin + (side == 0 ? low - 1 : normal ? high + 1 : high) * s;
@@ -68,13 +83,22 @@ void over_mirrors(int component, bool motion, const PhaseBox& box, const Lattice
         const std::size_t along = static_cast<std::size_t>(along_side<Space>(axis));
         over_plane(lattice, axis, [&](std::ptrdiff_t at, const std::array<std::ptrdiff_t, 3>& place) {
           const bool opened = opening.covers(static_cast<int>(place[along] - Lattice<Space>::ghost_low));
-          body(at + ghost, at + image, opened ? 1.0 : -1.0);
+          body(at + ghost, at + image, opened ? 1.0 : -1.0, 0.0);
         });
         continue;
       }
-      over_plane(lattice, axis, [&](std::ptrdiff_t at, const auto&) { body(at + ghost, at + image, sign); });
+      over_plane(lattice, axis, [&](std::ptrdiff_t at, const auto&) { body(at + ghost, at + image, sign, twice); });
     }
   }
+}
+
+/// Calls body(face on the low end, face on the high end) for the pairs that are one where the model is periodic.
+template <class Space, class Body>
+void over_joined(int component, const PhaseBox& box, const Lattice<Space>& lattice, Body&& body) {
+  if (component < 0 || !box.periodic(component)) return;
+  const std::ptrdiff_t s = lattice.stride[component], low = Lattice<Space>::ghost_low * s;
+  over_plane(lattice, component,
+             [&](std::ptrdiff_t at, const auto&) { body(at + low, at + low + lattice.cells[component] * s); });
 }
 
 }  // namespace detail
@@ -83,9 +107,27 @@ void over_mirrors(int component, bool motion, const PhaseBox& box, const Lattice
 /// `motion`: true for momentum, force, velocity (signs by kind of wall); false for masses and other scalars.
 template <class Space>
 void fold(Array& field, int component, bool motion, const PhaseBox& box, const Lattice<Space>& lattice) {
-  detail::over_mirrors(component, motion, box, lattice, [&](std::ptrdiff_t ghost, std::ptrdiff_t image, double sign) {
-    field[image] += sign * field[ghost];
-    field[ghost] = 0;
+  detail::over_mirrors(component, motion, box, lattice,
+                       [&](std::ptrdiff_t ghost, std::ptrdiff_t image, double sign, double) {
+                         field[image] += sign * field[ghost];
+                         field[ghost] = 0;
+                       });
+  detail::over_joined(component, box, lattice,
+                      [&](std::ptrdiff_t low, std::ptrdiff_t high) { field[low] = field[high] += field[low]; });
+}
+
+/// fold() of a mass and of its momentum, of walls that may move.
+template <class Space>
+void fold_motion(Array& mass, Array& momentum, int component, const PhaseBox& box, const Lattice<Space>& lattice) {
+  detail::over_mirrors(component, true, box, lattice,
+                       [&](std::ptrdiff_t ghost, std::ptrdiff_t image, double sign, double twice) {
+                         momentum[image] += sign * momentum[ghost] - sign * twice * mass[ghost];
+                         mass[image] += mass[ghost];
+                         momentum[ghost] = mass[ghost] = 0;
+                       });
+  detail::over_joined(component, box, lattice, [&](std::ptrdiff_t low, std::ptrdiff_t high) {
+    mass[low] = mass[high] += mass[low];
+    momentum[low] = momentum[high] += momentum[low];
   });
 }
 
@@ -93,15 +135,34 @@ void fold(Array& field, int component, bool motion, const PhaseBox& box, const L
 template <class Space>
 void clear_beyond(Array& field, int component, const PhaseBox& box, const Lattice<Space>& lattice) {
   detail::over_mirrors(component, false, box, lattice,
-                       [&](std::ptrdiff_t ghost, std::ptrdiff_t, double) { field[ghost] = 0; });
+                       [&](std::ptrdiff_t ghost, std::ptrdiff_t, double, double) { field[ghost] = 0; });
 }
 
-/// Fills what lies beyond the walls with its mirror image. Arguments as for fold().
+/// Fills what lies beyond the walls with its mirror image. Arguments as for fold(); `moving`: a velocity, which the
+/// walls' own counts for, and not a difference of velocities.
 template <class Space>
-void reflect(Array& field, int component, bool motion, const PhaseBox& box, const Lattice<Space>& lattice) {
-  detail::over_mirrors(component, motion, box, lattice, [&](std::ptrdiff_t ghost, std::ptrdiff_t image, double sign) {
-    field[ghost] = sign * field[image];
-  });
+void reflect(Array& field, int component, bool motion, const PhaseBox& box, const Lattice<Space>& lattice,
+             bool moving = false) {
+  detail::over_joined(component, box, lattice,
+                      [&](std::ptrdiff_t low, std::ptrdiff_t high) { field[high] = field[low]; });
+  detail::over_mirrors(component, motion, box, lattice,
+                       [&](std::ptrdiff_t ghost, std::ptrdiff_t image, double sign, double twice) {
+                         field[ghost] = sign * field[image];
+                         if (moving) field[ghost] += twice;
+                       });
+}
+
+/// Where the model is periodic, copies what the cells on either end hold to the ghosts beyond the other.
+template <class Space, class Field>
+void join_ends(Field& cells, const PhaseBox& box, const Lattice<Space>& lattice) {
+  for (int axis = 0; axis < Space::axes; ++axis) {
+    if (!box.periodic(axis)) continue;
+    const std::ptrdiff_t s = lattice.stride[axis], low = Lattice<Space>::ghost_low * s, n = lattice.cells[axis] * s;
+    detail::over_plane(lattice, axis, [&](std::ptrdiff_t at, const auto&) {
+      cells[at + low - s] = cells[at + low + n - s];
+      cells[at + low + n] = cells[at + low];
+    });
+  }
 }
 
 }  // namespace polder

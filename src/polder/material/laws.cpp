@@ -6,6 +6,7 @@
 // clang-format off
 #define POLDER_SOIL_LAWS(law) \
   law(linear_elastic)         \
+  law(neo_hookean)            \
   law(mohr_coulomb)           \
   law(softening_mohr_coulomb) \
   law(tresca)                 \

@@ -117,6 +117,7 @@ ModelFlow model_flow(const Model& model, const SeepageInput& input) {
   if (model.space != SpaceKind::plane_strain)
     throw std::invalid_argument("seepage: the case is three-dimensional; seepage is computed in sections");
   if (model.soils.empty()) throw std::invalid_argument("seepage: the case has no [[soil]]");
+  if (model.tilt != 0) throw std::invalid_argument("seepage: gravity leans (model.tilt); draw the slope as it stands");
   ModelFlow flow;
   flow.unit_weight = model.water.density * model.gravity;
   MeshRequest request;

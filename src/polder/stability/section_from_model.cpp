@@ -103,6 +103,7 @@ Section section_from_model(const Model& model, const Input& input) {
   if (model.space != SpaceKind::plane_strain)
     problems.push_back("it is in 3d; the methods here are for a vertical section (model.space = \"plane-strain\")");
   if (model.soils.empty()) problems.push_back("there is no soil; add a [[soil]]");
+  if (model.tilt != 0) problems.push_back("its gravity leans (model.tilt); draw the slope as it stands");
   if (!problems.empty()) refuse(problems);
 
   Section section;

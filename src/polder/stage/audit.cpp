@@ -39,6 +39,7 @@ Audit<Space>::Audit(const Model& model, const Stepper<Space>& state) {
   const auto& lattice = state.setup.lattice;
   spacing_ = lattice.spacing;
   if (state.setup.single_point) return;  // no points of water to compare a flux with
+  if (state.setup.periodic) return;      // no section that water passes once
   for (const auto& boundary : model.boundaries) {
     if (boundary.side || boundary.line.size() != 2 || boundary.water != WaterCondition::open) continue;
     const bool upright = std::abs(boundary.line[0][0] - boundary.line[1][0]) < 1e-9 * lattice.length(0);
@@ -113,6 +114,10 @@ void Audit<Space>::take(const Stepper<Space>& state, double dt) {
       bool interior = true;
       for (int a = 0; a < Space::axes; ++a) {
         const std::ptrdiff_t s = lattice.stride[a];
+        if (state.setup.water_box.periodic(a)) {
+          interior = interior && grid.wet[cell - s] && grid.wet[cell + s];
+          continue;
+        }
         interior = interior && (at[a] == 0 || state.setup.shut(a, cell) || grid.wet[cell - s]) &&
                    (at[a] == lattice.cells[a] - 1 || state.setup.shut(a, cell + s) || grid.wet[cell + s]);
       }

@@ -96,6 +96,8 @@ Setup<Space> make_setup(const Model& model) {
   setup.water = model.water;
   setup.numerics = model.numerics;
   setup.gravity = model.gravity;
+  setup.tilt = model.tilt;
+  setup.periodic = model.periodic;
   setup.points_per_axis = model.points_per_axis;
   setup.single_point = model.single_point;
   setup.unsaturated = model.unsaturated;
@@ -106,6 +108,8 @@ Setup<Space> make_setup(const Model& model) {
 
   for (PhaseBox* box : {&setup.soil_box, &setup.water_box})
     for (int a = 0; a < Space::axes; ++a) box->high[a] = cells[a];
+  if (model.periodic)
+    for (PhaseBox* box : {&setup.soil_box, &setup.water_box}) box->wall[0] = {WallKind::periodic, WallKind::periodic};
   for (const GroundLoad& load : model.loads) setup.loads.push_back(load.pressure);
   for (const Boundary& boundary : model.boundaries) {
     if (boundary.side && (boundary.water == WaterCondition::head || boundary.water == WaterCondition::inflow)) {
@@ -119,6 +123,14 @@ Setup<Space> make_setup(const Model& model) {
       setup.open_sides.push_back({axis, end, head, head ? boundary.head : boundary.inflow, part});
       setup.water_box.opening[axis][end] = part;
       setup.water_box.wall[axis][end] = WallKind::open;
+    }
+    if (boundary.side && (!boundary.slide.y.empty() || !boundary.push.y.empty())) {
+      const auto [axis, end] = side_of<Space>(*boundary.side);
+      setup.moving_sides.push_back({axis, end, boundary.slide, boundary.push});
+    }
+    if (boundary.side && boundary.water == WaterCondition::no_slip) {
+      const auto [axis, end] = side_of<Space>(*boundary.side);
+      setup.water_box.wall[axis][end] = WallKind::rough;
     }
     if (boundary.soil == SoilCondition::none) continue;
     if (boundary.side) {

@@ -73,6 +73,7 @@ StepReport Simulation<Space>::advance() {
   control.water_damping = stage.water_damping;
   control.local_damping = stage.local_damping;
   control.hold_water = stage.hold_water;
+  control.body_force = body_force;
   if (stage.ramp > 0) control.gravity_factor = std::min(1.0, time_in_stage_ / stage.ramp);
 
   guards_.before_step(stepper_, time_);
@@ -94,7 +95,8 @@ StepReport Simulation<Space>::advance() {
   audit_.take(stepper_, dt);
   audit_.pressure_iterations += static_cast<std::uint64_t>(report.pressure.iterations);
   audit_.volume_iterations += static_cast<std::uint64_t>(report.volume.iterations);
-  guards_.take(stepper_, audit_, report, time_, !stage.initial && stage.ramp <= 0);
+  guards_.take(stepper_, audit_, report, time_,
+               !stage.initial && stage.ramp <= 0 && !stepper_.setup.driven() && !body_force);
   if (last) end_stage();
   raise_walls();
   return report;

@@ -1,6 +1,7 @@
 #pragma once
 // A run: the stages of a case, one step at a time. Time is 0 where the first stage that is not `initial` begins;
 // initial stages run before it, at negative times.
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,14 @@ class Simulation {
     stepper_.restored();
     raise_walls();
   }
+
+  /// After the state was changed from outside: what audit and guards compare with is the state now.
+  void begin_anew() {
+    audit_ = Audit<Space>(model_, stepper_);
+    guards_.begin_event(stepper_);
+  }
+  /// m/s² on the soil beside gravity, of component, place and time; empty: none. For manufactured solutions.
+  std::function<double(int, const std::array<double, 3>&, double)> body_force{};
 
   Stepper<Space>& state() { return stepper_; }
   const Stepper<Space>& state() const { return stepper_; }

@@ -44,11 +44,53 @@ FaceState couple(double water, double soil, double Mw, double Ms, double C, doub
 }  // namespace
 
 template <class Space>
+void add_viscous_stress(const Setup<Space>& setup, double dt, GridFields<Space>& grid, Team& team) {
+  const auto& lattice = setup.lattice;
+  const double nu = setup.water.viscosity / setup.water.density;
+  const double least = water_present * setup.water.density * lattice.cell_volume();
+  for (int c = 0; c < Space::axes; ++c) {
+    Array& velocity = grid.water_before[c];
+    const double* mass = grid.water_mass[c].data();
+    double* momentum = grid.water_velocity[c].data();
+    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
+      for (int i = 0; i < count; ++i) {
+        const std::ptrdiff_t f = first + i;
+        const int place = c == 0 ? at[0] + i : at[c];
+        velocity[f] = mass[f] > least ? momentum[f] / mass[f] : 0;
+        for (int end = 0; end < 2; ++end)
+          if (!setup.water_box.periodic(c) && place == (end == 0 ? 0 : lattice.cells[c]) && !setup.open_side(c, end))
+            velocity[f] = setup.wall_velocity(c, end);
+      }
+    });
+    reflect(velocity, c, true, setup.water_box, lattice, true);
+    Array inside = grid.water_mass[c];  // where there is water, beyond the walls as well
+    reflect(inside, c, false, setup.water_box, lattice);
+    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {
+      for (std::ptrdiff_t f = first; f < first + count; ++f) {
+        if (!(inside[f] > least)) continue;
+        double sum = 0;
+        for (int a = 0; a < Space::axes; ++a) {
+          const std::ptrdiff_t s = lattice.stride[a];
+          const double inverse = 1 / (lattice.spacing[a] * lattice.spacing[a]);
+          for (const std::ptrdiff_t n : {f - s, f + s})
+            if (inside[n] > least) sum += inverse * (velocity[n] - velocity[f]);
+        }
+        momentum[f] += mass[f] * nu * dt * sum;
+      }
+    });
+    if (setup.water_box.periodic(c))
+      detail::over_joined(c, setup.water_box, lattice,
+                          [&](std::ptrdiff_t low, std::ptrdiff_t high) { momentum[high] = momentum[low]; });
+  }
+}
+
+template <class Space>
 void predict_faces(const Setup<Space>& setup, const StepControl& control, double dt, GridFields<Space>& grid,
                    Team& team) {
   const auto& lattice = setup.lattice;
   const double cell_volume = lattice.cell_volume(), inverse_volume = 1 / cell_volume;
   const double rho_w = setup.water.density, g = setup.gravity * control.gravity_factor;
+  const auto& h = lattice.spacing;
   const bool one_material = setup.materials.size() <= 1;
   const double rho_s0 = setup.materials.empty() ? 2650 : setup.materials.front().grain_density;
   const bool all_fixed = !setup.materials.empty() &&
@@ -56,7 +98,9 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
 
   for (int c = 0; c < Space::axes; ++c) {
     const std::ptrdiff_t s = lattice.stride[c];
-    const bool vertical = c == Space::up;
+    const bool vertical = c == Space::up, joined = setup.soil_box.periodic(c);
+    const double pull = setup.pull(c) * control.gravity_factor;
+    const double at_end[2] = {setup.wall_velocity(c, 0), setup.wall_velocity(c, 1)};
     const double* soil_mass = grid.soil_mass[c].data();
     const double* water_mass = grid.water_mass[c].data();
     const double* force = grid.soil_force[c].data();
@@ -75,7 +119,7 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
       for (int i = 0; i < count; ++i) {
         const std::ptrdiff_t f = first + i, low = f - s;
         const int place = c == 0 ? at[0] + i : at[c];
-        const bool end = place == 0 || place == lattice.cells[c];
+        const bool end = !joined && (place == 0 || place == lattice.cells[c]);
         const bool wall = end || setup.shut(c, f);
         const bool both_wet = grid.wet[low] && grid.wet[f], beside_wet = grid.wet[low] || grid.wet[f];
         reached[f] = beside_wet && (end || !wall);
@@ -103,7 +147,10 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
         const double held = setup.single_point ? carried[f] : 0;
         double S = std::min(1.0, (water_mass[f] + held) / (rho_w * n * volume));
         const bool has_water = S > water_present;
-        const OpenSide* side = place == 0 ? opening[0] : place == lattice.cells[c] ? opening[1] : nullptr;
+        const OpenSide* side = joined                      ? nullptr
+                               : place == 0                ? opening[0]
+                               : place == lattice.cells[c] ? opening[1]
+                                                           : nullptr;
         if (side && !side->part.covers(c == 0 ? at[Space::up] : at[0] + i)) side = nullptr;
         if (beside_wet) S = both_wet || side ? 1 : std::max(least_saturation, S);
 
@@ -115,18 +162,23 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
         water_before[f] = water;
         if (has_soil) {
           soil += dt * force[f] / std::max(soil_mass[f], force_floor * full_of_grains);
-          if (vertical) soil -= dt * g;
+          if (pull != 0) soil += dt * pull;
+          if (control.body_force) {
+            std::array<double, 3> x{};
+            for (int a = 0; a < Space::axes; ++a) x[a] = ((a == 0 ? at[0] + i : at[a]) + (a == c ? 0 : 0.5)) * h[a];
+            soil += dt * control.body_force(c, x, control.time - dt);
+          }
           soil *= 1 - std::min(1.0, control.damping * dt);
         }
-        if (vertical) water -= dt * g;
+        if (pull != 0) water += dt * pull;
         water *= 1 - std::min(1.0, control.water_damping * dt);
 
         // on the faces that a body closes, soil meets it after the pressure has acted; what water there is carries its
         // share
         const bool met = setup.bodies.closed(c, f) && !end && !setup.walls.blocked(c, f);
         if (met && vertical && has_water) soil += dt * g * rho_w / rho_s;
-        const bool soil_fixed =
-            (wall && !met) || all_fixed || place <= setup.soil_box.low[c] || place >= setup.soil_box.high[c];
+        const bool soil_fixed = (wall && !met) || all_fixed ||
+                                (!joined && (place <= setup.soil_box.low[c] || place >= setup.soil_box.high[c]));
         const bool water_fixed = (wall && !(side && side->prescribes_head)) || (control.hold_water && !vertical);
         FaceState state{0, 0, 0, 0};
         if (met) {
@@ -148,6 +200,8 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
         if (side && !side->prescribes_head) state.water = -side->outward() * side->value(control.time) / n;
         if (soil_fixed) before[f] = 0;
         if (water_fixed) water_before[f] = 0;
+        if (end && !side && at_end[place > 0] != 0)  // a side that moves
+          state.water = state.soil = before[f] = water_before[f] = at_end[place > 0];
         vw[f] = state.water;
         vs[f] = state.soil;
         rw[f] = state.water_response;
@@ -236,6 +290,8 @@ void update_discharge(const Setup<Space>& setup, GridFields<Space>& grid, Team& 
   }
 }
 
+template void add_viscous_stress(const Setup<PlaneStrain>&, double, GridFields<PlaneStrain>&, Team&);
+template void add_viscous_stress(const Setup<Solid>&, double, GridFields<Solid>&, Team&);
 template void predict_faces(const Setup<PlaneStrain>&, const StepControl&, double, GridFields<PlaneStrain>&, Team&);
 template void predict_faces(const Setup<Solid>&, const StepControl&, double, GridFields<Solid>&, Team&);
 template void damp_locally(const Setup<PlaneStrain>&, double, GridFields<PlaneStrain>&, Team&);

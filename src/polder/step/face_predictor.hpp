@@ -7,6 +7,11 @@
 
 namespace polder {
 
+/// Adds to the water's momentum what its viscous stresses, ν∇²v at the start of the step, give in a step: on faces with
+/// water, towards neighbours with water; walls stick to it or not, as their kind says.
+template <class Space>
+void add_viscous_stress(const Setup<Space>& setup, double dt, GridFields<Space>& grid, Team& team);
+
 template <class Space>
 void predict_faces(const Setup<Space>& setup, const StepControl& control, double dt, GridFields<Space>& grid,
                    Team& team);

@@ -95,8 +95,10 @@ template <class Space, class Points>
 void move_chunk(const Setup<Space>& setup, const PhaseBox& box, bool walled, bool bodied, std::size_t first, int count,
                 const double (&displacement)[Space::axes][chunk_size], Points& points) {
   const auto& lattice = setup.lattice;
-  // points may pass a side that is open, to be taken out there
-  const auto gap = [&](int axis, int side) { return box.wall[axis][side] == WallKind::open ? -1 : wall_gap; };
+  // points may pass a side that is open, to be taken out there, or the ends of a periodic model
+  const auto gap = [&](int axis, int side) {
+    return box.wall[axis][side] == WallKind::open || box.periodic(axis) ? -1 : wall_gap;
+  };
   double before[Space::axes][chunk_size];
   if (walled)
     for (int a = 0; a < Space::axes; ++a) std::copy_n(points.position[a].data() + first, count, before[a]);

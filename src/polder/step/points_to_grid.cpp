@@ -295,8 +295,7 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
   });
 
   for (int c = 0; c < Space::axes; ++c) {
-    fold(grid.soil_mass[c], c, false, setup.soil_box, lattice);
-    fold(grid.soil_velocity[c], c, true, setup.soil_box, lattice);
+    fold_motion(grid.soil_mass[c], grid.soil_velocity[c], c, setup.soil_box, lattice);
     fold(grid.soil_force[c], c, true, setup.soil_box, lattice);
   }
   over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
@@ -310,6 +309,9 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
       grid.cell_porosity[cell] = open > 0 ? std::max(0.2, 1 - grid.solid_volume[cell] / (cell_volume * open)) : 1;
     }
   });
+  for (Array* field : {&grid.solid_volume, &grid.soil_cell_mass, &grid.cell_porosity, &grid.linear_drag[0],
+                       &grid.linear_drag[1], &grid.quadratic_drag[0], &grid.quadratic_drag[1]})
+    join_ends(*field, setup.soil_box, lattice);
 }
 
 template <class Space>
@@ -356,8 +358,7 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
   });
 
   for (int c = 0; c < Space::axes; ++c) {
-    fold(grid.water_mass[c], c, false, setup.water_box, lattice);
-    fold(grid.water_velocity[c], c, true, setup.water_box, lattice);
+    fold_motion(grid.water_mass[c], grid.water_velocity[c], c, setup.water_box, lattice);
   }
   over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
     for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
@@ -370,6 +371,8 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
       grid.wet[cell] = grid.fill[cell] > setup.numerics.wet_threshold;
     }
   });
+  join_ends(grid.fill, setup.water_box, lattice);
+  join_ends(grid.wet, setup.water_box, lattice);
 }
 
 template void soil_to_grid(const Setup<PlaneStrain>&, const SoilPoints<PlaneStrain>&, const Tiling<PlaneStrain>&,

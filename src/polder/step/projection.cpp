@@ -17,7 +17,8 @@ void assemble(const Setup<Space>& setup, const GridFields<Space>& grid, CellMatr
   const auto& lattice = setup.lattice;
   std::array<double, 3> scale{};
   for (int a = 0; a < Space::axes; ++a) scale[a] = lattice.cell_volume() / (lattice.spacing[a] * lattice.spacing[a]);
-  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+    if (setup.periodic) matrix.seam[first] = 0;
     for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
       for (int a = 0; a < Space::axes; ++a) matrix.coupling[a][cell] = 0;
       matrix.diagonal[cell] = 0;
@@ -27,7 +28,10 @@ void assemble(const Setup<Space>& setup, const GridFields<Space>& grid, CellMatr
         const std::ptrdiff_t s = lattice.stride[a];
         const double low = scale[a] * coefficient(a, cell), high = scale[a] * coefficient(a, cell + s);
         if (grid.wet[cell - s]) {
-          matrix.coupling[a][cell] = low;
+          if (a == 0 && setup.periodic && cell == first && place[0] == 0)
+            matrix.seam[cell] = low;
+          else
+            matrix.coupling[a][cell] = low;
           sum += low;
         } else if (low > 0) {
           sum += low / distance(cell, cell - s);
@@ -170,6 +174,7 @@ SolveResult project(const Setup<Space>& setup, double dt, GridFields<Space>& gri
   });
   add_heads(setup, grid, distance, solver.right_side);
   const SolveResult result = solver.solve(grid.rows, grid.pressure, setup.numerics.pressure_tolerance, 400, team);
+  join_ends(grid.pressure, setup.water_box, lattice);
 
   for (int c = 0; c < Space::axes; ++c) {
     const std::ptrdiff_t s = lattice.stride[c];
@@ -201,7 +206,11 @@ void extrapolate_water(const Setup<Space>& setup, GridFields<Space>& grid, FaceF
   for (int c = 0; c < Space::axes; ++c) {
     double* v = field[c].data();
     const OpenSide* open[2] = {setup.open_side(c, 0), setup.open_side(c, 1)};
-    const auto closed = [&](int end, int along) { return !open[end] || !open[end]->part.covers(along); };
+    const bool joined = setup.water_box.periodic(c);
+    const auto closed = [&](int end, int along) { return !joined && (!open[end] || !open[end]->part.covers(along)); };
+    // a velocity is that of the wall there, a shift none
+    const double at_wall[2] = {keep_ballistic ? setup.wall_velocity(c, 0) : 0,
+                               keep_ballistic ? setup.wall_velocity(c, 1) : 0};
     const AlignedVector<std::uint8_t>& filled =
         spread(lattice, setup.walls, c, grid.reached[c], 2, field[c], grid, team);
     over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
@@ -212,10 +221,10 @@ void extrapolate_water(const Setup<Space>& setup, GridFields<Space>& grid, FaceF
       if (c > 0 && (at[c] == 0 || at[c] == lattice.cells[c])) {
         const int end = at[c] == 0 ? 0 : 1;
         for (int i = 0; i < count; ++i)
-          if (closed(end, at[0] + i)) row[i] = 0;
+          if (closed(end, at[0] + i)) row[i] = at_wall[end];
       }
-      if (c == 0 && at[0] == 0 && closed(0, at[Space::up])) row[0] = 0;
-      if (c == 0 && at[0] + count == lattice.cells[0] + 1 && closed(1, at[Space::up])) row[count - 1] = 0;
+      if (c == 0 && at[0] == 0 && closed(0, at[Space::up])) row[0] = at_wall[0];
+      if (c == 0 && at[0] + count == lattice.cells[0] + 1 && closed(1, at[Space::up])) row[count - 1] = at_wall[1];
     });
   }
 }
@@ -242,6 +251,10 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
       bool inside = true;
       for (int a = 0; a < Space::axes; ++a) {
         const std::ptrdiff_t s = lattice.stride[a];
+        if (setup.water_box.periodic(a)) {
+          inside = inside && grid.wet[cell - s] && grid.wet[cell + s];
+          continue;
+        }
         inside = inside && (at[a] == 0 || setup.shut(a, cell) || grid.wet[cell - s]) &&
                  (at[a] == lattice.cells[a] - 1 || setup.shut(a, cell + s) || grid.wet[cell + s]);
       }
@@ -252,6 +265,7 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
     }
   });
   const SolveResult result = solver.solve(grid.rows, grid.potential, 1e-2, 60, team);
+  join_ends(grid.potential, setup.water_box, lattice);
 
   for (int c = 0; c < Space::axes; ++c) {
     const std::ptrdiff_t s = lattice.stride[c];

@@ -2,6 +2,8 @@
 // What does not change during a run (or changes only from stage to stage): grid, walls, materials, water, choices.
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -37,6 +39,12 @@ struct PoreSpace {
   double modulus = 0;  ///< Pa, of the drained P-wave
 };
 
+/// A side of the model that moves, m/s as functions of time: along itself and into the model.
+struct MovingSide {
+  int axis, end;  ///< end 0: low, 1: high
+  Table slide, push;
+};
+
 template <class Space>
 struct Setup {
   Lattice<Space> lattice;
@@ -49,7 +57,10 @@ struct Setup {
   std::vector<OpenSide> open_sides;
   std::vector<Table> loads;  ///< Pa on the ground, of the time in s
   Numerics numerics;
+  std::vector<MovingSide> moving_sides;
   double gravity = 9.81;                           ///< m/s²
+  double tilt = 0;                                 ///< rad, of gravity from the vertical towards +x
+  bool periodic = false;                           ///< along x
   int points_per_axis = 2;                         ///< of a full cell at the start
   bool single_point = false;                       ///< soil points carry the water of their pores
   bool unsaturated = false;                        ///< likewise, and their pores may hold air
@@ -66,6 +77,30 @@ struct Setup {
   /// Whether boxes of points in free water stretch with the flow (docs/theory.md, "Step 8"): where no soil moves.
   bool stretches_water() const {
     return std::all_of(materials.begin(), materials.end(), [](const SoilMaterial& m) { return m.fixed; });
+  }
+
+  /// Component of gravity, m/s².
+  double pull(int axis) const {
+    return axis == Space::up ? -gravity * std::cos(tilt) : axis == 0 && tilt != 0 ? gravity * std::sin(tilt) : 0;
+  }
+
+  /// Whether more than gravity downwards, loads and open sides does work on what is in the model.
+  bool driven() const { return tilt != 0 || !moving_sides.empty(); }
+
+  /// The walls' velocities at a time.
+  void move_sides(double time) {
+    for (const MovingSide& side : moving_sides)
+      for (PhaseBox* box : {&soil_box, &water_box}) {
+        auto& v = box->velocity[static_cast<std::size_t>(side.axis)][static_cast<std::size_t>(side.end)];
+        v[side.axis == 0 ? Space::up : 0] = side.slide(time);
+        v[static_cast<std::size_t>(side.axis)] = (side.end == 0 ? 1 : -1) * side.push(time);
+      }
+  }
+
+  /// Velocity across it of the side at this end of an axis, m/s.
+  double wall_velocity(int axis, int end) const {
+    return water_box
+        .velocity[static_cast<std::size_t>(axis)][static_cast<std::size_t>(end)][static_cast<std::size_t>(axis)];
   }
 
   /// The open side at this end of an axis, or nullptr.
@@ -90,6 +125,8 @@ struct StepControl {
   double water_damping = 0;  ///< 1/s on the water's velocity
   double local_damping = 0;  ///< Cundall's factor on the soil's out-of-balance force
   bool hold_water = false;   ///< no horizontal flow of water
+  /// m/s², on the soil beside gravity: component, place (x, y, z) in m and time in s; empty: none.
+  std::function<double(int, const std::array<double, 3>&, double)> body_force{};
 };
 
 }  // namespace polder

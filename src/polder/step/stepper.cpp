@@ -15,7 +15,24 @@ namespace {
 
 constexpr double point_cfl = 0.5;    // cells that a point may cross in a step
 constexpr double surface_cfl = 0.1;  // of √(h/g): free surfaces are advanced explicitly
+constexpr double viscous_cfl = 0.8;  // of the explicit limit of viscous stresses
 constexpr std::uint64_t resample_every = 10;
+
+/// Points that have passed an end of a periodic model come in at the other. Returns whether there are any.
+template <class Space, class Points>
+bool bring_in(const Lattice<Space>& lattice, Points& points) {
+  const double length = lattice.length(0);
+  bool any = false;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    double& x = points.position[0][p];
+    if (x >= 0 && x < length) continue;
+    const double shift = x < 0 ? length : -length;
+    x = std::clamp(x + shift, 0.0, length * (1 - 1e-15));
+    if constexpr (requires { points.reference; }) points.reference[0][p] += shift;
+    any = true;
+  }
+  return any;
+}
 
 class Stopwatch {
  public:
@@ -50,6 +67,11 @@ double Stepper<Space>::natural_step() const {
     return motion.speed > 0 ? std::min(dt, point_cfl / motion.speed) : dt;
   }
   double dt = std::min(setup.numerics.max_step, soil.size() > 0 ? setup.soil_step : 1e300);
+  if (setup.water.viscous && water.size() > 0) {  // ν∇²v is explicit
+    double sum = 0;
+    for (int a = 0; a < Space::axes; ++a) sum += 1 / (setup.lattice.spacing[a] * setup.lattice.spacing[a]);
+    dt = std::min(dt, viscous_cfl * setup.water.density / (2 * setup.water.viscosity * sum));
+  }
   if (setup.gravity > 0 && (water.size() > 0 || setup.single_point))
     dt = std::min(dt, surface_cfl * std::sqrt(setup.lattice.smallest_spacing() / setup.gravity));
   if (motion.speed > 0) dt = std::min(dt, point_cfl / motion.speed);
@@ -73,7 +95,13 @@ void Stepper<Space>::prepare() {
   }
   unsorted_ = 0;
   if (!rows_stale_) return;
-  grid.activate(setup.lattice, rows_near(setup.lattice, soil.home, water.home, team.size()));
+  ActiveRows<Space> rows = rows_near(setup.lattice, soil.home, water.home, team.size());
+  if (setup.periodic) {  // what is near one end is near the other
+    for (RowSpan& span : rows.spans)
+      if (span.count() > 0) span = {0, setup.lattice.cells[0]};
+    rows.finish(team.size());
+  }
+  grid.activate(setup.lattice, std::move(rows));
   rows_stale_ = false;
 }
 
@@ -124,6 +152,7 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   Stopwatch watch;
 
   prepare();
+  setup.move_sides(control.time);
   watch.lap(times.sort);
 
   soil_to_grid(setup, soil, soil_tiling_, control.time, grid, team);
@@ -131,6 +160,7 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   if (!setup.open_sides.empty()) prepare_open_sides(setup, control.time, grid);
   watch.lap(times.to_grid);
 
+  if (setup.water.viscous) add_viscous_stress(setup, dt, grid, team);
   predict_faces(setup, control, dt, grid, team);
   if (!setup.open_sides.empty()) close_seepage_faces(setup, grid);
   watch.lap(times.faces);
@@ -145,8 +175,8 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   for (int c = 0; c < Space::axes; ++c) {
     if (control.hold_water && c != Space::up)
       std::fill(grid.water_velocity[c].begin(), grid.water_velocity[c].end(), 0.0);
-    reflect(grid.water_velocity[c], c, true, setup.water_box, setup.lattice);
-    reflect(grid.soil_velocity[c], c, true, setup.soil_box, setup.lattice);
+    reflect(grid.water_velocity[c], c, true, setup.water_box, setup.lattice, true);
+    reflect(grid.soil_velocity[c], c, true, setup.soil_box, setup.lattice, true);
   }
   update_discharge(setup, grid, team);
   for (int c = 0; c < Space::axes; ++c) reflect(grid.discharge[c], c, true, setup.water_box, setup.lattice);
@@ -161,6 +191,10 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   drift_soil += of_soil.drift;
   motion = of_water;
   motion.take(of_soil);
+  if (setup.periodic) {
+    if (bring_in(setup.lattice, water)) sort_water();
+    if (bring_in(setup.lattice, soil)) points_changed();
+  }
   watch.lap(times.to_points);
 
   exchanged.clear();
