@@ -13,13 +13,15 @@ namespace polder::verify {
 
 namespace {
 
-/// Depth of the water in each column, m, as the cells' fill has it (at most full).
-std::vector<double> depths(const Stepper<PlaneStrain>& state) {
+/// Depth of the water in each column, m, as the cells' fill has it (at most full); in 3d the mean across y.
+template <class Space>
+std::vector<double> depths(const Stepper<Space>& state) {
   const auto& lattice = state.setup.lattice;
   std::vector<double> depth(static_cast<std::size_t>(lattice.cells[0]), 0.0);
-  for (int j = 0; j < lattice.cells[1]; ++j)
-    for (int i = 0; i < lattice.cells[0]; ++i)
-      depth[static_cast<std::size_t>(i)] += std::min(1.0, state.grid.fill[lattice.index(i, j)]) * lattice.spacing[1];
+  const double share = lattice.spacing[Space::up] / (Space::axes == 3 ? lattice.cells[1] : 1);
+  over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
+    depth[static_cast<std::size_t>(place[0])] += std::min(1.0, state.grid.fill[cell]) * share;
+  });
   return depth;
 }
 
@@ -31,12 +33,14 @@ double interpolate(const std::vector<double>& column, double x, double dx) {
 }
 
 /// Mean horizontal velocity over the depth in a column.
-double column_velocity(const Stepper<PlaneStrain>& state, double x) {
+template <class Space>
+double column_velocity(const Stepper<Space>& state, double x) {
   const auto& lattice = state.setup.lattice;
   const int i = static_cast<int>(x / lattice.spacing[0]);
   double momentum = 0, water = 0;
-  for (int j = 0; j < lattice.cells[1]; ++j) {
-    const std::ptrdiff_t cell = lattice.index(i, j);
+  for (std::ptrdiff_t row = 0; row < lattice.row_count(); ++row) {
+    const std::ptrdiff_t cell =
+        lattice.index(i, static_cast<int>(row % lattice.cells[1]), static_cast<int>(row / lattice.cells[1]));
     const double fill = std::min(1.0, state.grid.fill[cell]);
     momentum += fill * 0.5 * (state.grid.water_velocity[0][cell] + state.grid.water_velocity[0][cell + 1]);
     water += fill;
@@ -50,7 +54,8 @@ Curve profile(const std::string& name, const std::vector<double>& depth, double 
   return curve;
 }
 
-void add_volume(const Simulation<PlaneStrain>& run, double start, Findings& findings) {
+template <class Space>
+void add_volume(const Simulation<Space>& run, double start, Findings& findings) {
   const std::vector<double> depth = depths(run.state());
   const double volume = std::accumulate(depth.begin(), depth.end(), 0.0) * run.state().setup.lattice.spacing[0];
   findings.comparisons.push_back({"volume by cell fill", "end", start, volume});
@@ -74,11 +79,11 @@ double volume_of(const Model& model) {
   return volume;
 }
 
-Findings ritter(const Source& source) {
-  const Study study = source.study();
+template <class Space>
+Findings ritter_in(const Study& study) {
   const Dam dam = dam_of(study.shipped);
   const double celerity = std::sqrt(study.shipped.gravity * dam.high);
-  Simulation<PlaneStrain> run(study.run, 1);
+  Simulation<Space> run(study.run, 1);
   run_case(run, [](const auto&) {});
   const double dx = run.state().setup.lattice.spacing[0], t = run.time();
   const std::vector<double> depth = depths(run.state());
@@ -114,12 +119,12 @@ Middle stoker_middle(const Dam& dam, double g) {
   return {h, u, u * h / (h - dam.low)};
 }
 
-Findings stoker(const Source& source) {
-  const Study study = source.study();
+template <class Space>
+Findings stoker_in(const Study& study) {
   const Dam dam = dam_of(study.shipped);
   const double g = study.shipped.gravity, celerity = std::sqrt(g * dam.high);
   const Middle middle = stoker_middle(dam, g);
-  Simulation<PlaneStrain> run(study.run, 1);
+  Simulation<Space> run(study.run, 1);
   const double dx = run.state().setup.lattice.spacing[0], half = 0.5 * run.end_time();
   const auto front = [&](const std::vector<double>& depth) {  // where the depth falls below the mean of both states
     const double level = 0.5 * (middle.depth + dam.low);
@@ -164,11 +169,23 @@ Findings stoker(const Source& source) {
   return findings;
 }
 
+Findings ritter(const Source& source) {
+  const Study study = source.study();
+  return study.run.space == SpaceKind::solid ? ritter_in<Solid>(study) : ritter_in<PlaneStrain>(study);
+}
+
+Findings stoker(const Source& source) {
+  const Study study = source.study();
+  return study.run.space == SpaceKind::solid ? stoker_in<Solid>(study) : stoker_in<PlaneStrain>(study);
+}
+
 }  // namespace
 
 std::vector<Problem> dam_break_problems() {
   return {{"ritter", "Dam break on a dry bed", "Ritter (1892), shallow water", false, ritter},
-          {"stoker", "Dam break on a wet bed", "Stoker (1957), shallow water", false, stoker}};
+          {"stoker", "Dam break on a wet bed", "Stoker (1957), shallow water", false, stoker},
+          {"ritter-3d", "Dam break on a dry bed, 3d", "Ritter (1892), shallow water", false, ritter},
+          {"stoker-3d", "Dam break on a wet bed, 3d", "Stoker (1957), shallow water", false, stoker}};
 }
 
 }  // namespace polder::verify

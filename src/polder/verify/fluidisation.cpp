@@ -44,13 +44,14 @@ const Boundary& inflow_of(const Model& model) {
                        [](const Boundary& b) { return b.water == WaterCondition::inflow; });
 }
 
-/// Excess of the water pressure's drop over the hydrostatic one between the fifth and the four fifths of the bed.
-double gradient_in_bed(const Simulation<PlaneStrain>& run, double height) {
+/// Head lost from the base to the water above the bed, over the bed's height at the start. Over all of the bed: where a
+/// layer in it has opened, its grains rest on those below, and within these the gradient is larger by what they carry.
+double gradient_over_bed(const Simulation<PlaneStrain>& run, double height) {
   const auto& state = run.state();
-  const double low = 0.2 * height, high = 0.8 * height;
-  const double drop = mean_at_height(state.setup.lattice, state.grid.pressure, low) -
-                      mean_at_height(state.setup.lattice, state.grid.pressure, high);
-  return drop / (run.model().water.density * run.model().gravity * (high - low)) - 1;
+  const double weight = run.model().water.density * run.model().gravity, above = 1.2 * height;
+  const double drop = mean_at_height(state.setup.lattice, state.grid.pressure, 0) -
+                      mean_at_height(state.setup.lattice, state.grid.pressure, above);
+  return (drop / weight - above) / height;
 }
 
 /// The discharge rises slowly past fluidisation: the plateau of the gradient, and the discharge at which it is reached.
@@ -65,7 +66,7 @@ Findings critical(const Source& source) {
   Curve computed{"computed", {}, {}, false}, law{"Ergun, then i_c", {}, {}, false};
   double plateau = 0, span = 0, before = run.time(), reached = 0, last_q = 0, last_i = 0;
   run_case(run, [&](const auto& r) {
-    const double q = inflow(r.time()), i = gradient_in_bed(r, height), dt = r.time() - before;
+    const double q = inflow(r.time()), i = gradient_over_bed(r, height), dt = r.time() - before;
     before = r.time();
     computed.x.push_back(q), computed.y.push_back(i);
     // where the gradient passes 95 % of i_c: there the bed is still as it was, and Ergun's law gives the discharge

@@ -60,7 +60,9 @@ std::string verification_page(const std::vector<const Problem*>& problems, const
       "coded in\n`src/polder/verify/`. `polder verify` recomputes this table; tolerances and their sources stand in "
       "the "
       "`expected.toml`\nbeside each case. Errors are relative to the reference unless the place says of what. An "
-      "observed order of convergence\ncompares the default grid with one of twice the spacing.\n\n"
+      "observed order of convergence\ncompares the default grid with a coarser one (`ergun-column`: the step with one "
+      "of "
+      "twice its length). Rows without a\ntolerance are reported only.\n\n"
       "| problem | quantity | place | reference | computed | error | tolerance | |\n|-|-|-|-|-|-|-|-|\n";
   for (const Outcome& outcome : outcomes)
     for (const Row& row : outcome.rows)

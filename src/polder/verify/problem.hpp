@@ -17,7 +17,8 @@ namespace polder::verify {
 struct Comparison {
   std::string quantity, at;
   double reference = 0, computed = 0;
-  double scale = 0;  ///< what the error is relative to; 0: the reference
+  double scale = 0;    ///< what the error is relative to; 0: the reference
+  bool judged = true;  ///< held against a tolerance; false: reported only
   double error() const { return std::abs(computed - reference) / (scale > 0 ? scale : std::abs(reference)); }
 };
 
@@ -46,6 +47,7 @@ struct Refinement {
   std::string_view quantity;         ///< whose errors (rms) are compared
   std::vector<std::string> coarser;  ///< overrides
   double ratio = 2;                  ///< of the spacings
+  double least = 0;                  ///< order that it has to reach; 0: reported only
   double error_of(const Findings& findings) const;
 };
 
@@ -62,6 +64,13 @@ std::span<const Problem> problems();
 // One list per file.
 std::vector<Problem> rest_problems();
 std::vector<Problem> dam_break_problems();
+std::vector<Problem> bar_problems();
+std::vector<Problem> vortex_problems();
+std::vector<Problem> channel_problems();
+std::vector<Problem> mandel_problems();
+std::vector<Problem> footing_problems();
+std::vector<Problem> cylinder_problems();
+std::vector<Problem> suspension_problems();
 std::vector<Problem> seepage_problems();
 std::vector<Problem> sheet_pile_problems();
 std::vector<Problem> element_problems();

@@ -90,8 +90,9 @@ Findings solve(const Source& source) {
 
 std::vector<Problem> rest_problems() {
   constexpr const char* theory = "hydrostatics; effective stress of submerged soil";
-  return {{"hydrostatic", "Water at rest in a tank", theory, true, solve},
+  return {{"hydrostatic", "Water at rest in a tank", theory, true, solve, Refinement{"pressure", {"model.cell=0.1 m"}}},
           {"hydrostatic-jump", "Water at rest above a submerged bed, points jittered", theory, true, solve},
+          {"hydrostatic-single-point", "Saturated soil at rest, water carried by the soil points", theory, true, solve},
           {"hydrostatic-3d", "Water at rest in a tank, 3d", theory, true, solve}};
 }
 

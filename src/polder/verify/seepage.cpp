@@ -97,11 +97,44 @@ void add_column(const Study& study, const std::string& material, Findings& findi
   chart.curves.insert(chart.curves.end(), {exact, computed});
 }
 
+/// Discharge at a time after the gradient i was put on water at rest: ρ dq/dt = n (ρ g i − a q − b q²).
+double starting_discharge(const Model& model, double i, double time) {
+  const MaterialInput& m = model.materials.at(0);
+  const double n = m.porosity, phi = 1 - n, d = m.grain_diameter, rho = model.water.density;
+  const double a = m.ergun_a * model.water.viscosity * phi * phi / (n * n * n * d * d) / rho;
+  const double b = m.ergun_b * phi / (n * n * n * d), root = std::sqrt(a * a + 4 * b * model.gravity * i);
+  const double high = (root - a) / (2 * b), low = (-root - a) / (2 * b), decay = std::exp(-n * root * time);
+  return high * (1 - decay) / (1 - high / low * decay);
+}
+
+/// The first moments, in steps that resolve them, over the relaxation time K/(n g).
+void add_start(const Study& study, Findings& findings) {
+  const Model& model = study.shipped;
+  const MaterialInput& m = model.materials.at(0);
+  const double n = m.porosity, phi = 1 - n;
+  const double relaxation = model.water.density * m.grain_diameter * m.grain_diameter * n * n /
+                            (m.ergun_a * model.water.viscosity * phi * phi);
+  Model running = study.run;
+  running.stages.at(0).duration = 2.2 * relaxation;
+  constexpr double fine = 1e-4;  // s
+  running.numerics.max_step = study.run.numerics.max_step < 10 * fine ? study.run.numerics.max_step : fine;
+  Samples samples({0.5 * relaxation, relaxation, 2 * relaxation});
+  Simulation<PlaneStrain> run(running, 1);
+  const int middle = run.state().setup.lattice.cells[0] / 2;
+  run_case(run,
+           [&](const auto& r) { samples.take(r.time(), {column_discharge(r.state(), middle) / running.size[1]}); });
+  for (std::size_t k = 0; k < samples.rows.size(); ++k)
+    findings.comparisons.push_back(
+        {"start", fmt::format("i = {:g}, t = {:.3g} ms", gradient_at(model, 0), samples.times[k] * 1e3),
+         starting_discharge(model, gradient_at(model, 0), samples.times[k]), samples.rows[k][0]});
+}
+
 /// Two sands: the one of the case, and a fine one in water of 1 mPa s.
 Findings ergun_column(const Source& source) {
   Findings findings;
   Chart chart{"Discharge over gradient", "gradient", "discharge", "", "m/s", {}, {}};
   Study study = source.study();
+  add_start(study, findings);
   add_column(study, fmt::format("D = {:g} mm", study.shipped.materials.at(0).grain_diameter * 1e3), findings, chart);
   for (Model* model : {&study.shipped, &study.run}) {
     model->materials.at(0).grain_diameter *= 0.1;
@@ -116,8 +149,10 @@ Findings ergun_column(const Source& source) {
 }  // namespace
 
 std::vector<Problem> seepage_problems() {
+  const Refinement steps{"start", {"numerics.max_step=0.2 ms"}};  // of the time step
   return {
-      {"ergun-column", "Flow through a column of sand under a given gradient", "Ergun (1952)", true, ergun_column},
+      {"ergun-column", "Flow through a column of sand under a given gradient", "Ergun (1952)", true, ergun_column,
+       steps},
       {"ergun-column-single-point", "The same, water carried by the soil points", "Ergun (1952)", true, ergun_column},
       {"dupuit", "Unconfined flow through a block between two reservoirs",
        "Dupuit (1863), Charny (1951): exact for the discharge", true, dupuit}};

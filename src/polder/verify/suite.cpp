@@ -14,6 +14,8 @@
 
 namespace polder::verify {
 
+constexpr double exact_error = 1e-5;  // below it a scheme that is exact shows the tolerance of the solver
+
 bool Outcome::pass() const {
   return trouble.empty() && std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.pass; });
 }
@@ -34,6 +36,11 @@ Outcome run_problem(const Problem& problem, const SuiteOptions& options) {
     const Findings findings = problem.solve({*file, options.overrides});
     outcome.figure = findings.figure;
     for (const Comparison& c : findings.comparisons) {
+      if (!c.judged) {
+        outcome.rows.push_back(
+            {std::string(problem.name), c.quantity, c.at, c.reference, c.computed, c.error(), {}, true, 0, {}});
+        continue;
+      }
       const auto rule =
           std::find_if(expected.begin(), expected.end(), [&](const Expected& e) { return e.quantity == c.quantity; });
       if (rule == expected.end())
@@ -44,18 +51,19 @@ Outcome run_problem(const Problem& problem, const SuiteOptions& options) {
     }
     if (problem.refinement && options.orders && options.overrides.empty()) {
       const Refinement& refinement = *problem.refinement;
+      const double fine = refinement.error_of(findings);
       const double coarse = refinement.error_of(problem.solve({*file, refinement.coarser}));
-      const double order = std::log(coarse / refinement.error_of(findings)) / std::log(refinement.ratio);
-      outcome.rows.push_back({std::string(problem.name),
-                              "observed order",
-                              std::string(refinement.quantity),
-                              {},
-                              order,
-                              {},
-                              {},
-                              true,
-                              0,
-                              {}});
+      Row row{
+          std::string(problem.name), "observed order", std::string(refinement.quantity), {}, 0, {}, {}, true, 0, {}};
+      if (std::max(fine, coarse) < exact_error) {
+        row.at = fmt::format("none: {} is exact on both; error on the coarser", refinement.quantity);
+        row.computed = coarse;
+      } else {
+        row.computed = std::log(coarse / fine) / std::log(refinement.ratio);
+        row.pass = row.computed >= refinement.least;
+        if (refinement.least > 0) row.at += ", at least", row.reference = refinement.least;
+      }
+      outcome.rows.push_back(row);
     }
   } catch (const RunFailure& failure) {
     outcome.trouble = failure.what();
