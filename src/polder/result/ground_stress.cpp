@@ -28,6 +28,13 @@ double total_vertical_stress(const Simulation<Space>& run, const std::array<doub
   const auto& state = run.state();
   const auto& soil = state.soil;
   const auto& h = state.setup.lattice.spacing;
+  const auto& lattice = state.setup.lattice;
+  // of the cell, which is what acts on its soil; between the cells' centres heads bend where the soil changes
+  const auto cell_pressure = [&](const std::array<double, 3>& x) {
+    const auto cell = cell_of(lattice, x);
+    return state.grid.pressure[lattice.index(cell[0], cell[1], cell[2])] +
+           state.setup.water.density * state.setup.gravity * ((cell[up] + 0.5) * h[up] - x[up]);
+  };
   double volume = 0, stress = 0;
   for (std::size_t p = 0; p < soil.size(); ++p) {
     const auto x = position_of(run.state().soil, p);
@@ -35,8 +42,9 @@ double total_vertical_stress(const Simulation<Space>& run, const std::array<doub
     bool near = above > 0 && above < h[up];
     for (int a = 0; a < Space::axes; ++a) near = near && (a == up || std::abs(x[a] - place[a]) < 1.5 * h[a]);
     if (!near) continue;
-    const double v = bulk_volume(state.setup, soil, p), pressure = run.pressure_at(x);
-    const double wet = state.setup.unsaturated ? point_saturation(run, p) : 1;
+    const double v = bulk_volume(state.setup, soil, p), pressure = cell_pressure(x);
+    const double wet =
+        state.setup.unsaturated ? saturation(state.setup.pores[soil.material[p]].retention, -pressure) : 1;
     const double density = (soil.mass[p] + state.setup.water.density * soil.water[p]) / v;
     volume += v;
     stress += v * (wet * pressure - soil.stress[up][p] + density * state.setup.gravity * above);

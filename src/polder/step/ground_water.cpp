@@ -10,6 +10,7 @@ namespace polder {
 
 namespace {
 
+constexpr int uneven_depth = 4;     // cells under the ground whose weights are not their own volume
 constexpr double least_top = 0.05;  // of a cell's volume: soil that makes it the uppermost of its column
 
 /// Columns of cells, numbered along the horizontal axes; body(number, x in m, lowest cell).
@@ -163,7 +164,7 @@ bool set_standing_water(const Setup<Space>& setup, const std::vector<int>& groun
     const double level = head_of(given, time, on_line(given.line, x).share);
     if (top.level < 0 || level <= top.height) return;
     any = true;
-    for (int k = std::max(0, top.level - 1); k < lattice.cells[Space::up] && (k + 0.5) * h < level; ++k)
+    for (int k = std::max(0, top.level - uneven_depth); k < lattice.cells[Space::up] && (k + 0.5) * h < level; ++k)
       pores.over_ground[lowest + k * lattice.stride[Space::up]] = weight * (level - (k + 0.5) * h);
   });
   return any;

@@ -124,6 +124,9 @@ void prepare_cells(const Setup<Space>& setup, double gravity, GridFields<Space>&
     for (std::size_t d = 0; d < 2 && host >= 0; ++d) pores.resistance[d][cell] = pores.resistance[d][host];
     if (!pores.active[cell]) {
       grid.pressure[cell] = 0;
+    } else if (host >= 0) {  // its host's, as still water
+      const int rise = place[Space::up] - lattice.place(host, Space::up);
+      grid.pressure[cell] = grid.pressure[host] - rise * setup.water.density * gravity * lattice.spacing[Space::up];
     } else if (!before[cell]) {  // as still water from a neighbour that has had a pressure
       for (int turn = 0; turn < Space::axes; ++turn) {
         const int a = (Space::up + turn) % Space::axes;

@@ -32,6 +32,9 @@ struct PoreFields {
         points_change(bulk),
         correction(bulk),
         surplus(bulk),
+        deviation(bulk),
+        way(bulk),
+        mixing(bulk),
         over_ground(bulk),
         flow(make_face_field(lattice)),
         held_mass(make_face_field(lattice)),
@@ -57,6 +60,9 @@ struct PoreFields {
   Array points_change;               ///< the same by the points' own strains
   Array correction;                  ///< 1/s, of the points' rates of dilation
   Array surplus;                     ///< water that a cell gained beyond the change of Θ in the step, over the pores
+  Array deviation;                   ///< what a cell holds beyond Θ after the step, over the pores
+  Array way;                         ///< that the cell's faces move in the step, cells
+  Array mixing;                      ///< share of their differences that a cell's points lose in the step
   Array over_ground;                 ///< Pa, pressure of still water that stands on the ground, where there is any
   FaceField<Space> flow;             ///< m³/s of water through a face, along the axis, relative to the grains
   FaceField<Space> held_mass;        ///< kg of soil that never moves

@@ -29,7 +29,7 @@ double open_share(const Lattice<Space>& lattice, const PoreFields<Space>& pores,
 template <class Space>
 double conductance(const Lattice<Space>& lattice, const PoreFields<Space>& pores, int axis, std::ptrdiff_t face) {
   const std::ptrdiff_t low = face - lattice.stride[axis];
-  if (!pores.active[low] || !pores.active[face]) return 0;
+  if (!pores.active[low] || !pores.active[face] || pores.host[low] >= 0 || pores.host[face] >= 0) return 0;
   const Array& a = pores.resistance[axis == Space::up];
   return open_share(lattice, pores, axis, low, face) * lattice.face_area(axis) *
          (pores.relative[low] + pores.relative[face]) / (lattice.spacing[axis] * (a[low] + a[face]));
@@ -92,7 +92,7 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
       for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
         for (int a = 0; a < Space::axes; ++a) solver.matrix.coupling[a][cell] = 0;
         solver.matrix.diagonal[cell] = solver.right_side[cell] = 0;
-        if (!pores.active[cell]) continue;
+        if (!pores.active[cell] || pores.host[cell] >= 0) continue;
         double out = 0, sum = pores.storage[cell] / dt;
         for (int a = 0; a < Space::axes; ++a)
           for (const int end : {0, 1}) {
@@ -103,7 +103,7 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
             if (!inner(a, cell, end)) continue;
             out += (end == 0 ? -1 : 1) * pores.flow[a][f];
             sum += conducts[a][f];
-            if (end == 0 && pores.active[other])
+            if (end == 0 && pores.active[other] && pores.host[other] < 0)
               solver.matrix.coupling[a][cell] =
                   conducts[a][f] + own * grid.soil_response[a][f] * coupled[other] * pores.weight[a][other] / h;
           }
@@ -144,6 +144,8 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
     std::fill(increment.begin(), increment.end(), 0.0);
     const SolveResult result = solver.solve(grid.rows, increment, setup.numerics.pressure_tolerance, 400, team);
     total.iterations += result.iterations;
+    for (std::size_t cell = 0; cell < pores.host.size(); ++cell)
+      if (pores.host[cell] >= 0) increment[cell] = increment[pores.host[cell]];
     add(share);
   }
   return total;

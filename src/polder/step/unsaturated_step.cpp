@@ -107,9 +107,11 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
     double change = 0;
     for (std::size_t cell = 0; cell < pores.content.size(); ++cell) change += pores.content[cell] - pores.water[cell];
     exchanged.push_back({lattice.index(0, 0), change});
-    for (std::size_t cell = 0; cell < pores.content.size(); ++cell)
+    for (std::size_t cell = 0; cell < pores.content.size(); ++cell) {
       pores.surplus[cell] =
           pores.pores[cell] > 0 ? (pores.content_before[cell] - pores.water[cell]) / pores.pores[cell] : 0;
+      pores.deviation[cell] = 0;
+    }
     return;
   }
   Array left = pores.water;
@@ -142,8 +144,26 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
       beyond[to] += beyond[cell];
       beyond[cell] = 0;
     }
-  for (std::size_t cell = 0; cell < beyond.size(); ++cell)
-    pores.surplus[cell] = pores.pores[cell] > 0 ? beyond[cell] / pores.pores[cell] : 0;
+  for (std::size_t cell = 0; cell < beyond.size(); ++cell) {
+    const double room = pores.pores[cell] > 0 ? 1 / pores.pores[cell] : 0;
+    pores.surplus[cell] = room * beyond[cell];
+    pores.deviation[cell] = room * (pores.water[cell] - pores.content_before[cell] + beyond[cell]);
+  }
+}
+
+/// How far the faces of each cell move in the step.
+template <class Space>
+void UnsaturatedStep<Space>::set_way(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, Team& team) {
+  const auto& lattice = setup.lattice;
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+    for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
+      double way = 0;
+      for (int a = 0; a < Space::axes; ++a)
+        for (const std::ptrdiff_t f : {cell, cell + lattice.stride[a]})
+          way = std::max(way, dt * std::abs(grid.soil_velocity[a][f]) / lattice.spacing[a]);
+      pores.way[cell] = std::min(1.0, way);
+    }
+  });
 }
 
 template <class Space>
@@ -287,6 +307,7 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
     }
   motion = strain_points(setup, dt, grid, tiling, soil, pores, team);
   pores_to_grid(setup, soil, tiling, pores, team);
+  set_way(setup, dt, grid, team);
   settle_books(setup, dt, exits, control.hold_water, grid, team, exchanged);
   move_points(setup, dt, grid, tiling, pores, soil, team);
   show_water(setup, grid, team);

@@ -62,6 +62,7 @@ class UnsaturatedStep {
                  GridFields<Space>& grid, Team& team);
   void settle_books(const Setup<Space>& setup, double dt, const std::vector<PoreExit>& exits, bool held,
                     GridFields<Space>& grid, Team& team, std::vector<Exchange>& exchanged);
+  void set_way(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, Team& team);
   void judge(const Setup<Space>& setup, double dt, const SoilPoints<Space>& soil, Team& team);
   void show_water(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) const;
 

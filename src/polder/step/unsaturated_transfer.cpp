@@ -288,21 +288,58 @@ Motion strain_points(const Setup<Space>& setup, double dt, const GridFields<Spac
   return motion;
 }
 
+namespace {
+
+constexpr double uneven =
+    0.01;  // of the pores: how differently the points of a cell may be filled before they even out
+
+/// Gives the points what their cells gained, Δ(n V S(p)(1 + p/K)) + n V surplus. Where the points of a cell hold uneven
+/// shares of its water and it moves, they even out by the way that it goes.
 template <class Space>
-void move_points(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, const Tiling<Space>& tiling,
-                 const PoreFields<Space>& pores, SoilPoints<Space>& soil, Team& team) {
-  const auto& lattice = setup.lattice;
+void change_water(const Setup<Space>& setup, const GridFields<Space>& grid, const Tiling<Space>& tiling,
+                  PoreFields<Space>& pores, SoilPoints<Space>& soil, Team& team) {
+  // body(cell, share, water by its own history, water as the cell's mean has it)
+  const auto over_shares = [&](std::size_t p, auto&& body) {
+    const PoreSpace& space = setup.pores[soil.material[p]];
+    const auto ratio = [&](double pressure) { return water_ratio(space, pressure, setup.water.bulk_modulus).value; };
+    const double before = pores.pore_volume[p], now = soil.porosity[p] * bulk_volume(setup, soil, p);
+    box_of(setup, soil, p).over_cells(setup.lattice, [&](std::ptrdiff_t cell, double share) {
+      if (share == 0) return;
+      const double filled = ratio(grid.pressure[cell]);
+      const double own =
+          soil.water[p] + now * (filled + pores.surplus[cell]) - before * ratio(pores.pressure_before[cell]);
+      body(cell, share, own, now * (filled + pores.deviation[cell]));
+    });
+  };
+  std::fill(pores.mixing.begin(), pores.mixing.end(), 0.0);
+  over_chunks(tiling, team, [&](std::size_t first, int count) {
+    for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p)
+      over_shares(p, [&](std::ptrdiff_t cell, double share, double own, double mean) {
+        pores.mixing[cell] += share * std::abs(own - mean);
+      });
+  });
+  for (std::size_t cell = 0; cell < pores.mixing.size(); ++cell)
+    pores.mixing[cell] = pores.mixing[cell] > uneven * pores.pores[cell] ? pores.way[cell] : 0;
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
-      const PoreSpace& space = setup.pores[soil.material[p]];
-      const auto ratio = [&](double pressure) { return water_ratio(space, pressure, setup.water.bulk_modulus).value; };
-      double before = 0, now = 0;  // of the pores
-      box_of(setup, soil, p).over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
-        if (share == 0) return;
-        before += share * ratio(pores.pressure_before[cell]);
-        now += share * (ratio(grid.pressure[cell]) + pores.surplus[cell]);
+      double water = 0;
+      over_shares(p, [&](std::ptrdiff_t cell, double share, double own, double mean) {
+        water += share * (own + pores.mixing[cell] * (mean - own));
       });
-      soil.water[p] += soil.porosity[p] * bulk_volume(setup, soil, p) * now - pores.pore_volume[p] * before;
+      soil.water[p] = water;
+    }
+  });
+}
+
+}  // namespace
+
+template <class Space>
+void move_points(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, const Tiling<Space>& tiling,
+                 PoreFields<Space>& pores, SoilPoints<Space>& soil, Team& team) {
+  const auto& lattice = setup.lattice;
+  change_water(setup, grid, tiling, pores, soil, team);
+  over_chunks(tiling, team, [&](std::size_t first, int count) {
+    for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       if (setup.materials[soil.material[p]].fixed) continue;
       for (int a = 0; a < Space::axes; ++a)
         soil.position[a][p] = std::clamp(soil.position[a][p] + dt * soil.velocity[a][p],
@@ -321,7 +358,7 @@ void move_points(const Setup<Space>& setup, double dt, const GridFields<Space>& 
   template void pores_to_grid(const Setup<Space>&, const SoilPoints<Space>&, const Tiling<Space>&, PoreFields<Space>&, \
                               Team&);                                                                                  \
   template void move_points(const Setup<Space>&, double, const GridFields<Space>&, const Tiling<Space>&,               \
-                            const PoreFields<Space>&, SoilPoints<Space>&, Team&);
+                            PoreFields<Space>&, SoilPoints<Space>&, Team&);
 POLDER_UNSATURATED_TRANSFER(PlaneStrain)
 POLDER_UNSATURATED_TRANSFER(Solid)
 #undef POLDER_UNSATURATED_TRANSFER

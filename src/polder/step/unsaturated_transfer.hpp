@@ -42,6 +42,6 @@ void pores_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
 /// move. Changes, not the water itself: that would be mixed between cells at every step by the points that lie in two.
 template <class Space>
 void move_points(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, const Tiling<Space>& tiling,
-                 const PoreFields<Space>& pores, SoilPoints<Space>& soil, Team& team);
+                 PoreFields<Space>& pores, SoilPoints<Space>& soil, Team& team);
 
 }  // namespace polder

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view of_liu = "Liu et al. (1999), crushed rock", of_martin = "Martin and Moyce (1952)",
                            of_columns = "Lube et al. (2005), Lajeunesse et al. (2005)", of_p1 = "study P1",
-                           of_p2 = "study P2", of_p3 = "study P3";
+                           of_p2 = "study P2", of_p3 = "study P3", of_p4 = "study P4";
 
 constexpr Validation list[] = {
     {"porous-block", of_liu, porous_block},
@@ -44,6 +44,7 @@ constexpr Validation list[] = {
     {"overtopping-025", of_p3, nullptr},
     {"overtopping", of_p3, nullptr},
     {"overtopping-paper", of_p3, nullptr},
+    {"levee-uplift-paper", of_p4, nullptr},
 };
 
 /// The history of a run, kept in memory, and the soil's shape at both ends.
