@@ -160,7 +160,7 @@ void fill_pores(const Setup<Space>& setup, const GridFields<Space>& grid, PoreFi
         const WaterRatio ratio = water_ratio(space, p, setup.water.bulk_modulus);
         held += own * ratio.value;
         slope += own * ratio.slope;
-        wet += v * saturation(space.retention, -p);
+        wet += v * saturation(space.retention, -grid.pressure[like]);
         conducts += v * relative_conductivity(space.curve, space.retention, -p);
         all += v;
       }
@@ -184,6 +184,11 @@ void set_volume_change(const Setup<Space>& setup, const GridFields<Space>& grid,
       pores.volume_change[cell] = pores.active[cell] ? change : 0;
     }
   });
+  for (std::size_t cell = 0; cell < pores.host.size(); ++cell)
+    if (pores.host[cell] >= 0) {
+      pores.volume_change[pores.host[cell]] += pores.volume_change[cell];
+      pores.volume_change[cell] = 0;
+    }
 }
 
 #define POLDER_PORE_CELLS(Space)                                                                      \

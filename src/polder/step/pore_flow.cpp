@@ -112,6 +112,17 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
             -((pores.content[cell] - pores.water[cell]) / dt + coupled[cell] * pores.volume_change[cell] + out);
       }
     });
+    for (std::size_t q = 0; q < pores.host.size(); ++q) {  // what cells without soil add to their hosts'
+      const std::ptrdiff_t cell = static_cast<std::ptrdiff_t>(q), host = pores.host[q];
+      if (host < 0) continue;
+      for (int a = 0; a < Space::axes; ++a)
+        for (const int end : {0, 1}) {
+          const std::ptrdiff_t f = cell + end * lattice.stride[a], other = end == 0 ? cell - lattice.stride[a] : f;
+          const double own = coupled[cell] * pores.weight[a][cell] / lattice.spacing[a];
+          const double shared = other == host ? coupled[host] * pores.weight[a][host] / lattice.spacing[a] : 0;
+          solver.matrix.diagonal[host] += own * (own - 2 * shared) * grid.soil_response[a][f];
+        }
+    }
     for (const PoreExit& exit : exits) {
       solver.right_side[exit.cell] -= exit.out;
       if (exit.conductance * (grid.pressure[exit.cell] - exit.level) > exit.least)

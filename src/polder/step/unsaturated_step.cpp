@@ -300,11 +300,6 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   }
 
   set_volume_change(setup, grid, pores, team);
-  for (std::size_t cell = 0; cell < pores.host.size(); ++cell)
-    if (pores.host[cell] >= 0) {
-      pores.volume_change[pores.host[cell]] += pores.volume_change[cell];
-      pores.volume_change[cell] = 0;
-    }
   motion = strain_points(setup, dt, grid, tiling, soil, pores, team);
   pores_to_grid(setup, soil, tiling, pores, team);
   set_way(setup, dt, grid, team);
