@@ -6,6 +6,7 @@
 #include <random>
 #include <string_view>
 
+#include "polder/math/huge_pages.hpp"
 #include "polder/step/face_predictor.hpp"
 #include "polder/step/grid_to_points.hpp"
 #include "polder/step/points_to_grid.hpp"
@@ -47,6 +48,7 @@ struct Block {
     sort_points(setup.lattice, soil, soil_tiling, team);
     sort_points(setup.lattice, water, water_tiling, team);
     grid.activate(setup.lattice, rows_near(setup.lattice, soil.home, water.home, threads));
+    use_huge_pages();
   }
 
   void to_grid() {

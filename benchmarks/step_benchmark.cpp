@@ -130,6 +130,7 @@ void register_all(const std::string& space) {
 }
 
 const bool registered = [] {
+  keep_arrays_together();
   register_all<PlaneStrain>("2d");
   register_all<Solid>("3d");
   return true;

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "polder/case/diagnostic.hpp"
+#include "polder/math/huge_pages.hpp"
 #include "polder/result/output_error.hpp"
 
 namespace {
@@ -52,6 +53,7 @@ int start(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  polder::keep_arrays_together();
   try {
     return start(argc, argv);
   } catch (const Failure& failure) {

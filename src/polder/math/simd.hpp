@@ -22,6 +22,36 @@ inline Vec4 load4(const double* from) {
 inline void store4(double* to, Vec4 v) { std::memcpy(to, &v, sizeof v); }
 inline Vec4 splat4(double a) { return Vec4{a, a, a, a}; }
 
+/// Rows become columns: afterwards `a` has the first values of all four, and so on.
+inline void transpose4(Vec4& a, Vec4& b, Vec4& c, Vec4& d) {
+  const Vec4 ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6), ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Vec4 cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6), cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+  d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
+}
+
+/// ∛x for 1e-37 < x < 1e37, to rounding. A third of the bits of x in single precision, read as a number, is within 6 %;
+/// three steps of Halley's iteration take the third power of the error (times 2/3) each.
+inline Vec4 cube_root(Vec4 x) {
+  using Float4 = float __attribute__((vector_size(16)));
+  using Int4 = int __attribute__((vector_size(16)));
+  constexpr float third = 1.0F / 3, offset = 709921077.0F;
+  const Float4 single = __builtin_convertvector(x, Float4);
+  Int4 bits;
+  std::memcpy(&bits, &single, sizeof bits);
+  bits = __builtin_convertvector(__builtin_convertvector(bits, Float4) * third + offset, Int4);
+  Float4 guess;
+  std::memcpy(&guess, &bits, sizeof guess);
+  Vec4 y = __builtin_convertvector(guess, Vec4);
+  for (int i = 0; i < 3; ++i) {
+    const Vec4 cube = y * y * y;
+    y *= (cube + 2 * x) / (2 * cube + x);
+  }
+  return y;
+}
+
 /// Eight floats at once, for the preconditioner.
 using Vec8f = float __attribute__((vector_size(32)));
 

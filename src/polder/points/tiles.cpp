@@ -60,19 +60,25 @@ void sort_points(const Lattice<Space>& lattice, Points& points, Tiling<Space>& t
   tile_points(lattice, points.home, tiling);
 }
 
+// Tiles that follow one another along x are taken together, as one range of points: a whole row of them where there are
+// many rows, a part of one where there are few. So the points of a range lie one after the other in memory, and ranges
+// of a colour, two rows or parts of a row from each other, still do not write to the same faces.
 template <class Space>
 void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& home, Tiling<Space>& tiling) {
+  constexpr int many_rows = 32;
   const auto tiles = tiles_of(lattice);
+  const int parts = std::clamp(many_rows / (tiles[1] * tiles[2]), 1, (tiles[0] + 1) / 2);
   for (auto& list : tiling.by_colour) list.clear();
-  const auto tile_at = [&](std::size_t p) { return home[p] / cells_in_tile<Space>; };
+  std::array<int, 3> last_range{-1, -1, -1};
   for (std::size_t first = 0, last = 0; first < home.size(); first = last) {
-    int rest = tile_at(first), colour = 0;
-    while (last < home.size() && tile_at(last) == tile_at(first)) ++last;
-    for (int a = 0; a < Space::axes; ++a) {
-      colour |= (rest % tiles[a] % 2) << a;
-      rest /= tiles[a];
-    }
-    tiling.by_colour[colour].push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last - first)});
+    const int tile = home[first] / cells_in_tile<Space>;
+    while (last < home.size() && home[last] / cells_in_tile<Space> == tile) ++last;
+    const std::array<int, 3> range{tile % tiles[0] * parts / tiles[0], tile / tiles[0] % tiles[1],
+                                   tile / tiles[0] / tiles[1]};
+    auto& of_colour = tiling.by_colour[range[0] % 2 + 2 * (range[1] % 2) + 4 * (range[2] % 2)];
+    if (range != last_range) of_colour.push_back({static_cast<std::uint32_t>(first), 0});
+    of_colour.back().count += static_cast<std::uint32_t>(last - first);
+    last_range = range;
   }
 }
 

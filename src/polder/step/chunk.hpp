@@ -186,19 +186,20 @@ struct alignas(64) ChunkOverlap {
   /// body(cell index, share) for point l
   template <class Body>
   [[gnu::always_inline]] void over_cells(const Lattice<Space>& lattice, int l, Body&& body) const {
+    const std::ptrdiff_t first = base[l], next_row = lattice.stride[1], next_plane = lattice.stride[2];
     const double x = share[0][l], y = share[1][l];
-    const auto plane = [&](std::ptrdiff_t at, double z) {
-      body(at, x * y * z);
-      body(at + 1, (1 - x) * y * z);
-      body(at + lattice.stride[1], x * (1 - y) * z);
-      body(at + lattice.stride[1] + 1, (1 - x) * (1 - y) * z);
+    const auto plane = [&](std::ptrdiff_t at, double lower, double upper) {
+      body(at, x * lower);
+      body(at + 1, lower - x * lower);
+      body(at + next_row, x * upper);
+      body(at + next_row + 1, upper - x * upper);
     };
     if constexpr (axes == 2) {
-      plane(base[l], 1);
+      plane(first, y, 1 - y);
     } else {
       const double z = share[axes - 1][l];
-      plane(base[l], z);
-      plane(base[l] + lattice.stride[2], 1 - z);
+      plane(first, y * z, (1 - y) * z);
+      plane(first + next_plane, y * (1 - z), (1 - y) * (1 - z));
     }
   }
 };
@@ -210,6 +211,25 @@ inline double half_edge(double volume, double cell_volume) {
     return 0.5 * std::sqrt(volume / cell_volume);
   else
     return 0.5 * std::cbrt(volume / cell_volume);
+}
+
+/// The same for a chunk.
+template <class Space>
+inline void half_edges(const double (&volume)[chunk_size], double cell_volume, int count, double (&half)[chunk_size]) {
+  const double inverse = 1 / cell_volume;
+  if constexpr (Space::axes == 2) {
+    for (int l = 0; l < count; ++l) half[l] = 0.5 * std::sqrt(volume[l] * inverse);
+  } else {
+    for (int l = 0; l < count; l += 4) {
+      Vec4 part{1, 1, 1, 1};
+      const int filled = std::min(4, count - l);
+      if (filled == 4)
+        part = load4(volume + l) * inverse;
+      else
+        for (int i = 0; i < filled; ++i) part[i] = volume[l + i] * inverse;
+      store4(half + l, 0.5 * cube_root(part));
+    }
+  }
 }
 
 }  // namespace polder

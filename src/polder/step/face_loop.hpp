@@ -1,9 +1,20 @@
 #pragma once
 // Loops over the active faces and cells of a lattice, row by row, rows shared out over the team.
+#include <cstdint>
+#include <cstring>
+
 #include "polder/grid/active_rows.hpp"
 #include "polder/math/threads.hpp"
 
 namespace polder {
+
+/// Eight flags (0 or 1) at once, and what they are if all are 1.
+inline std::uint64_t eight(const std::uint8_t* flags) {
+  std::uint64_t word;
+  std::memcpy(&word, flags, sizeof word);
+  return word;
+}
+inline constexpr std::uint64_t eight_set = 0x0101010101010101;
 
 /// body(first row, one past the last) on every thread that has rows, or once where sharing does not pay.
 template <class Space, class Body>

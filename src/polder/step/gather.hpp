@@ -16,20 +16,36 @@ struct alignas(64) Gathered {
 template <int c, bool with_gradient, class Space>
 void gather_component(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int count, const double* field,
                       Gathered<Space>& out) {
+  constexpr int axes = Space::axes, sy = c == 1, sz = c == 2;
+  const std::ptrdiff_t up = lattice.stride[1], back = lattice.stride[2];
+  const auto &wy = chunk.weight[1][sy], &oy = chunk.offset[1][sy], &dy = chunk.derivative[1][sy];
   for (int l = 0; l < count; ++l) {
     const double* base = field + stencil_base<c>(chunk, l);
-    Vec4 sum{}, offset_y{}, slope_y{}, offset_z{}, slope_z{};
-    over_rows<c>(chunk, lattice, l,
-                 [&](std::ptrdiff_t at, double wy, double oy, double dy, double wz, double oz, double dz) {
-                   const Vec4 row = load4(base + at);
-                   sum += (wy * wz) * row;
-                   offset_y += (oy * wz) * row;
-                   if constexpr (with_gradient) slope_y += (dy * wz) * row;
-                   if constexpr (Space::axes == 3) {
-                     offset_z += (wy * oz) * row;
-                     if constexpr (with_gradient) slope_z += (wy * dz) * row;
-                   }
-                 });
+    Vec4 sum, offset_y, slope_y{}, offset_z{}, slope_z{};
+    const auto add_plane = [&](const double* at, Vec4& with_weight, Vec4& with_offset, Vec4& with_slope) {
+      const Vec4 low = load4(at), middle = load4(at + up), high = load4(at + 2 * up);
+      with_weight = wy[0][l] * low + wy[1][l] * middle + wy[2][l] * high;
+      with_offset = oy[0][l] * low + oy[1][l] * middle + oy[2][l] * high;
+      if constexpr (with_gradient) with_slope = dy[0][l] * low + dy[1][l] * middle + dy[2][l] * high;
+    };
+    if constexpr (axes == 2) {
+      add_plane(base, sum, offset_y, slope_y);
+    } else {
+      const auto &wz = chunk.weight[axes - 1][sz], &oz = chunk.offset[axes - 1][sz];
+      const auto& dz = chunk.derivative[axes - 1][sz];
+      sum = offset_y = Vec4{};
+      for (int k = 0; k < 3; ++k) {
+        Vec4 value, offset, slope{};
+        add_plane(base + k * back, value, offset, slope);
+        sum += wz[k][l] * value;
+        offset_y += wz[k][l] * offset;
+        offset_z += oz[k][l] * value;
+        if constexpr (with_gradient) {
+          slope_y += wz[k][l] * slope;
+          slope_z += dz[k][l] * value;
+        }
+      }
+    }
     const SplineRow x = x_row<c>(chunk, l);
     const Vec4 first =
         sum_lanes(sum * x.weight, sum * x.offset, offset_y * x.weight, with_gradient ? sum * x.derivative : Vec4{});
@@ -38,16 +54,16 @@ void gather_component(const Lattice<Space>& lattice, const ChunkWeights<Space>& 
     out.moment[1][l] = first[2];
     if constexpr (with_gradient) {
       out.gradient[0][l] = first[3];
-      if constexpr (Space::axes == 2) {
+      if constexpr (axes == 2) {
         out.gradient[1][l] = sum_lanes(slope_y * x.weight);
       } else {
         const Vec4 second = sum_lanes(offset_z * x.weight, slope_y * x.weight, slope_z * x.weight, Vec4{});
-        out.moment[Space::axes - 1][l] = second[0];
+        out.moment[axes - 1][l] = second[0];
         out.gradient[1][l] = second[1];
-        out.gradient[Space::axes - 1][l] = second[2];
+        out.gradient[axes - 1][l] = second[2];
       }
-    } else if constexpr (Space::axes == 3) {
-      out.moment[Space::axes - 1][l] = sum_lanes(offset_z * x.weight);
+    } else if constexpr (axes == 3) {
+      out.moment[axes - 1][l] = sum_lanes(offset_z * x.weight);
     }
   }
 }
@@ -57,18 +73,28 @@ template <int c, int fields, class Space>
 void gather_values(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int count,
                    const std::array<const double*, fields>& field, const std::array<double*, fields>& value) {
   static_assert(fields <= 4);
+  constexpr int axes = Space::axes, sy = c == 1, sz = c == 2;
+  const std::ptrdiff_t up = lattice.stride[1], back = lattice.stride[2];
+  const auto& wy = chunk.weight[1][sy];
   for (int l = 0; l < count; ++l) {
     const std::ptrdiff_t base = stencil_base<c>(chunk, l);
-    Vec4 sum[fields] = {};
-    over_rows<c>(chunk, lattice, l, [&](std::ptrdiff_t at, double wy, double, double, double wz, double, double) {
-      for (int f = 0; f < fields; ++f) sum[f] += (wy * wz) * load4(field[f] + base + at);
-    });
+    const auto plane = [&](const double* at) {
+      return wy[0][l] * load4(at) + wy[1][l] * load4(at + up) + wy[2][l] * load4(at + 2 * up);
+    };
     const Vec4 x = x_row<c>(chunk, l).weight;
+    Vec4 weighted[4] = {};
+    for (int f = 0; f < fields; ++f) {
+      const double* at = field[f] + base;
+      if constexpr (axes == 2) {
+        weighted[f] = x * plane(at);
+      } else {
+        const auto& wz = chunk.weight[axes - 1][sz];
+        weighted[f] = x * (wz[0][l] * plane(at) + wz[1][l] * plane(at + back) + wz[2][l] * plane(at + 2 * back));
+      }
+    }
     if constexpr (fields == 1) {
-      value[0][l] = sum_lanes(sum[0] * x);
+      value[0][l] = sum_lanes(weighted[0]);
     } else {
-      Vec4 weighted[4] = {};
-      for (int f = 0; f < fields; ++f) weighted[f] = sum[f] * x;
       const Vec4 sums = sum_lanes(weighted[0], weighted[1], weighted[2], weighted[3]);
       for (int f = 0; f < fields; ++f) value[f][l] = sums[f];
     }

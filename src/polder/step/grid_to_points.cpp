@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <mutex>
 
+#include "polder/step/chunk_loop.hpp"
 #include "polder/step/gather.hpp"
 #include "polder/step/soil_stress.hpp"
 #include "polder/step/wall_transfer.hpp"
@@ -15,11 +17,11 @@ namespace {
 constexpr double porosity_relaxation = 0.02;  // per step, of a fluid point's porosity towards the grid's
 constexpr double porosity_mixing = 48;        // of a group's porosities, per unit of plastic shear strain
 
-/// Runs body(tile) over all tiles and gathers the motion they report.
+/// Runs body(tile) over all ranges of tiles and gathers the motion they report.
 template <class Space, class Body>
 Motion over_tiles(const Tiling<Space>& tiling, Team& team, Body&& body) {
   Motion motion;
-  std::mutex mutex;  // taken once a tile; a maximum does not depend on the order
+  std::mutex mutex;  // taken once a range; a maximum does not depend on the order
   for (const auto& tiles : tiling.by_colour)
     team.each(static_cast<std::ptrdiff_t>(tiles.size()), [&](std::ptrdiff_t t) {
       const Motion of_tile = body(tiles[t]);
@@ -156,6 +158,40 @@ double grid_porosity(const Setup<Space>& setup, const GridFields<Space>& grid, c
   return n;
 }
 
+/// Runs body(begin, end) for every group of the points [first, first + count), counted from `first`.
+template <class Space, class Body>
+void over_groups(const SoilPoints<Space>& soil, std::size_t first, int count, Body&& body) {
+  const std::int32_t* home = soil.home.data() + first;
+  for (int begin = 0, end = 0; begin < count; begin = end) {
+    while (end < count && home[end] == home[begin]) ++end;
+    body(begin, end);
+  }
+}
+
+/// F-bar: the rate of volume change that each point is to follow, (1 − fbar) its own + fbar its group's mean.
+template <class Space>
+void share_dilation(double fbar, std::size_t first, int count, const VelocityGradients<Space>& gradients,
+                    const SoilPoints<Space>& soil, double* dilation) {
+  const double *mass = soil.mass.data() + first, *porosity = soil.porosity.data() + first;
+  double volume[chunk_size], change[chunk_size];
+  for (int l = 0; l < count; ++l) {
+    double own = 0;
+    for (int a = 0; a < Space::axes; ++a) own += gradients.at[a][a][l];
+    volume[l] = mass[l] / (1 - porosity[l]);
+    change[l] = volume[l] * own;
+    dilation[l] = (1 - fbar) * own;
+  }
+  over_groups(soil, first, count, [&](int begin, int end) {
+    double whole = 0, of_all = 0;
+    for (int l = begin; l < end; ++l) {
+      whole += volume[l];
+      of_all += change[l];
+    }
+    const double mean = fbar * (of_all / whole);
+    for (int l = begin; l < end; ++l) dilation[l] += mean;
+  });
+}
+
 /// Mixes the porosity of the points [first, last) of one group as they are sheared: the bulk volume that goes with a
 /// mass of grains approaches the group's mean by 1 − e^(−mixing Δε_d), Δε_d being the mean plastic shear strain of
 /// this step. Differences between points of one cell are below what the grid resolves, and nothing else ends their
@@ -170,11 +206,38 @@ void mix_porosity(const double* plastic_shear, std::size_t first, std::size_t la
     volume += v;
     sheared += v * plastic_shear[p - first];
   }
+  if (sheared == 0) return;
   const double share = 1 - std::exp(-porosity_mixing * sheared / volume);
   const double mean = volume / mass;
   for (std::size_t p = first; p < last; ++p) {
     const double own = 1 / (1 - soil.porosity[p]);
     soil.porosity[p] = 1 - 1 / (own + share * (mean - own));
+  }
+}
+
+template <class Space>
+void mix_porosities(const double* plastic_shear, std::size_t first, int count, SoilPoints<Space>& soil) {
+  double most = 0;
+  for (int l = 0; l < count; ++l) most = std::max(most, std::abs(plastic_shear[l]));
+  if (most == 0) return;
+  over_groups(soil, first, count, [&](int begin, int end) {
+    mix_porosity(plastic_shear + begin, first + static_cast<std::size_t>(begin), first + static_cast<std::size_t>(end),
+                 soil);
+  });
+}
+
+/// The porosity of points whose grains are out of contact follows the grid's.
+template <class Space>
+void relax_porosities(const Setup<Space>& setup, const GridFields<Space>& grid, const std::ptrdiff_t* cell,
+                      std::size_t first, int count, SoilPoints<Space>& soil) {
+  const std::uint8_t* fluid = soil.fluid.data() + first;
+  if (std::find(fluid, fluid + count, 1) == fluid + count) return;
+  for (int l = 0; l < count; ++l) {
+    const std::size_t p = first + static_cast<std::size_t>(l);
+    if (!soil.fluid[p] || !grid.wet[cell[l]]) continue;
+    const double n_max = setup.materials[soil.material[p]].max_porosity;
+    const double target = std::clamp(grid_porosity(setup, grid, soil, p), n_max - 0.02, 0.95);
+    soil.porosity[p] += porosity_relaxation * (target - soil.porosity[p]);
   }
 }
 
@@ -203,6 +266,9 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
     for (std::uint32_t done = 0; done < tile.count; done += chunk_size) {
       const std::size_t first = tile.first + done;
       const int count = std::min(chunk_size, static_cast<int>(tile.count - done));
+      const Upcoming<Space> upcoming(lattice, water.home, first, count);
+      upcoming.ask_for_points(water.position, water.velocity, water.affine);
+      upcoming.template ask_for_grid<1>(lattice, grid.water_velocity, grid.shift, grid.discharge, grid.soil_velocity);
       chunk.compute(lattice, pointers_at<Space>(water.position, first), count);
       const bool walled = beside_walls(setup.walls, lattice, chunk, count);
       const bool bodied = beside_bodies(setup, chunk, count);
@@ -251,6 +317,11 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
     std::ptrdiff_t cell[chunk_size];
     for (std::size_t first = tile.first, end = first + tile.count; first < end;) {
       const int count = whole_groups(soil, first, end);
+      const std::size_t next = first + static_cast<std::size_t>(count);
+      const Upcoming<Space> upcoming(lattice, soil.home, first, count);
+      upcoming.ask_for_points(soil.position, soil.velocity, soil.affine, soil.stress, soil.mass, soil.porosity,
+                              soil.deviatoric_strain, soil.state);
+      upcoming.template ask_for_grid<1>(lattice, grid.soil_velocity);
       chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
       for (int l = 0; l < count; ++l) cell[l] = cell_index(lattice, chunk, l);
       const bool walled = beside_walls(setup.walls, lattice, chunk, count);
@@ -271,33 +342,11 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
       motion.drift = motion.speed * dt;
       move_chunk(setup, setup.soil_box, walled, bodied, first, count, displacement, soil);
 
-      for (int l = 0; l < count;) {
-        int last = l;
-        double volume = 0, change = 0;
-        for (; last < count && soil.home[first + last] == soil.home[first + l]; ++last) {
-          double own = 0;
-          for (int a = 0; a < Space::axes; ++a) own += gradients.at[a][a][last];
-          const double v = soil.mass[first + last] / (1 - soil.porosity[first + last]);
-          dilation[last] = own;
-          volume += v;
-          change += v * own;
-        }
-        const double mean = change / volume;
-        for (; l < last; ++l) dilation[l] = (1 - fbar) * dilation[l] + fbar * mean;
-      }
+      share_dilation(fbar, first, count, gradients, soil, dilation);
       update_soil(setup, dt, first, count, gradients, dilation, soil, plastic_shear);
-      for (int l = 0, last = 0; l < count; l = last) {
-        while (last < count && soil.home[first + last] == soil.home[first + l]) ++last;
-        mix_porosity(plastic_shear + l, first + l, first + last, soil);
-      }
-      for (int l = 0; l < count; ++l) {
-        const std::size_t p = first + l;
-        if (!soil.fluid[p] || !grid.wet[cell[l]]) continue;
-        const double n_max = setup.materials[soil.material[p]].max_porosity;
-        const double target = std::clamp(grid_porosity(setup, grid, soil, p), n_max - 0.02, 0.95);
-        soil.porosity[p] += porosity_relaxation * (target - soil.porosity[p]);
-      }
-      first += static_cast<std::size_t>(count);
+      mix_porosities(plastic_shear, first, count, soil);
+      relax_porosities(setup, grid, cell, first, count, soil);
+      first = next;
     }
     return motion;
   });

@@ -6,6 +6,7 @@
 #include "polder/step/chunk_loop.hpp"
 #include "polder/step/face_loop.hpp"
 #include "polder/step/gather.hpp"
+#include "polder/step/scatter.hpp"
 #include "polder/step/soil_volume.hpp"
 #include "polder/step/wall_transfer.hpp"
 
@@ -13,58 +14,14 @@ namespace polder {
 
 namespace {
 
-constexpr double thinnest_half = 0.02;  // spacings, of a water point's flattened box
+constexpr double thinnest_cube = 0.1;   // spacings, half the edge of a water point's box
+constexpr double thinnest_half = 0.02;  // likewise, where it is flattened
 
 /// |q| in a cell, from the faces below and above it.
 template <class Space>
 double flux_in_cell(const GridFields<Space>& grid, const Lattice<Space>& lattice, std::ptrdiff_t cell) {
   const Array& flux = grid.relative_flux[Space::up];
   return 0.5 * (flux[cell] + flux[cell + lattice.stride[Space::up]]);
-}
-
-/// Mass and momentum of component c; with `with_force`, the internal force too.
-template <int c, bool with_force, class Space, class Points>
-void scatter_component(const Lattice<Space>& lattice, const Points& points, const double* mass, const double* volume,
-                       std::size_t first, int count, const ChunkWeights<Space>& chunk, double* mass_field,
-                       double* momentum_field, double* force_field) {
-  constexpr int axes = Space::axes;
-  const auto& h = lattice.spacing;
-  const double* velocity = points.velocity[c].data() + first;
-  std::array<const double*, axes> affine{};
-  for (int a = 0; a < axes; ++a) affine[a] = points.affine[c * axes + a].data() + first;
-  std::array<const double*, axes> stress{};
-  if constexpr (with_force)
-    for (int a = 0; a < axes; ++a) stress[a] = points.stress[stress_index<Space>(c, a)].data() + first;
-
-  for (int l = 0; l < count; ++l) {
-    const SplineRow row = x_row<c>(chunk, l);
-    const double m = mass[l];
-    const Vec4 mass_row = m * row.weight;
-    const Vec4 momentum_row = (m * velocity[l]) * row.weight + (m * h[0] * affine[0][l]) * row.offset;
-    const Vec4 momentum_y = (m * h[1] * affine[1][l]) * row.weight;
-    Vec4 momentum_z{}, force_row{}, force_y{}, force_z{};
-    if constexpr (axes == 3) momentum_z = (m * h[2] * affine[axes - 1][l]) * row.weight;
-    if constexpr (with_force) {
-      const double v = -volume[l];
-      force_row = (v * stress[0][l] / h[0]) * row.derivative;
-      force_y = (v * stress[1][l] / h[1]) * row.weight;
-      if constexpr (axes == 3) force_z = (v * stress[axes - 1][l] / h[2]) * row.weight;
-    }
-    const std::ptrdiff_t base = stencil_base<c>(chunk, l);
-    over_rows<c>(chunk, lattice, l,
-                 [&](std::ptrdiff_t at, double wy, double oy, double dy, double wz, double oz, double dz) {
-                   const std::ptrdiff_t node = base + at;
-                   store4(mass_field + node, load4(mass_field + node) + (wy * wz) * mass_row);
-                   Vec4 p = load4(momentum_field + node) + (wy * wz) * momentum_row + (oy * wz) * momentum_y;
-                   if constexpr (axes == 3) p += (wy * oz) * momentum_z;
-                   store4(momentum_field + node, p);
-                   if constexpr (with_force) {
-                     Vec4 f = load4(force_field + node) + (wy * wz) * force_row + (dy * wz) * force_y;
-                     if constexpr (axes == 3) f += (wy * dz) * force_z;
-                     store4(force_field + node, f);
-                   }
-                 });
-  }
 }
 
 /// A force (N, downwards) on the surface above a soil point of the given bulk volume: half the height that is left of
@@ -91,19 +48,6 @@ void press_on(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::siz
   });
 }
 
-/// Mass alone of component c.
-template <int c, class Space>
-void scatter_mass(const Lattice<Space>& lattice, const double* mass, int count, const ChunkWeights<Space>& chunk,
-                  double* field) {
-  for (int l = 0; l < count; ++l) {
-    const Vec4 row = mass[l] * x_row<c>(chunk, l).weight;
-    const std::ptrdiff_t base = stencil_base<c>(chunk, l);
-    over_rows<c>(chunk, lattice, l, [&](std::ptrdiff_t offset, double wy, double, double, double wz, double, double) {
-      store4(field + base + offset, load4(field + base + offset) + (wy * wz) * row);
-    });
-  }
-}
-
 /// Clears face fields where points may write.
 template <class Space>
 void clear_faces(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, const PhaseBox& box,
@@ -122,16 +66,14 @@ struct alignas(64) SoilContent {
   double half_edge[chunk_size];  // of the point's box, spacings
   double solid[chunk_size], mass[chunk_size], linear[chunk_size], quadratic[chunk_size];
   double linear_up[chunk_size], quadratic_up[chunk_size];  // drag in the vertical, where it differs
-
-  Vec4 horizontal(int l) const { return Vec4{solid[l], mass[l], linear[l], quadratic[l]}; }
+  Vec4 horizontal[chunk_size];                             // solid, mass, linear, quadratic
 
   template <class Space>
   void compute(const Setup<Space>& setup, const GridFields<Space>& grid, const SoilPoints<Space>& soil,
                std::size_t first, int count, const ChunkWeights<Space>& chunk) {
     const double cell_volume = setup.lattice.cell_volume();
     const auto& own = soil.material;
-    const bool one =
-        std::all_of(own.begin() + first, own.begin() + first + count, [&](auto m) { return m == own[first]; });
+    const bool one = std::equal(own.begin() + first + 1, own.begin() + first + count, own.begin() + first);
     if (one && setup.materials[own[first]].drag[0].packed() && !setup.anisotropic) {
       const SoilMaterial& material = setup.materials[own[first]];
       const double inverse = 1 / material.grain_density;
@@ -170,7 +112,15 @@ struct alignas(64) SoilContent {
         }
       }
     }
-    for (int l = 0; l < count; ++l) half_edge[l] = polder::half_edge<Space>(volume[l], cell_volume);
+    half_edges<Space>(volume, cell_volume, count, half_edge);
+    for (int l = 0; l < count; l += 4) {
+      Vec4 a = load4(solid + l), b = load4(mass + l), c = load4(linear + l), d = load4(quadratic + l);
+      transpose4(a, b, c, d);
+      horizontal[l] = a;
+      horizontal[l + 1] = b;
+      horizontal[l + 2] = c;
+      horizontal[l + 3] = d;
+    }
   }
 };
 
@@ -181,36 +131,41 @@ struct HalfEdges {
   std::array<const double*, static_cast<std::size_t>(Space::axes)> along;
 };
 
-/// body(point of the chunk, cell index, share) for the cells that the points' boxes overlap. A cell that a body cuts
-/// keeps what is in it; beside thin walls boxes are cubes.
-template <class Space, class Body>
+/// add(cell index, share × content(point of the chunk)) for the cells that the points' boxes overlap. A cell that a
+/// body cuts keeps what is in it; beside thin walls boxes are cubes.
+template <class Space, class Content, class Add>
 void over_boxes(const Setup<Space>& setup, const std::array<Array, Space::axes>& position, const PhaseBox& box,
                 std::size_t first, int count, const ChunkWeights<Space>& chunk, bool walled,
-                const HalfEdges<Space>& half_edges, Body&& body) {
+                const HalfEdges<Space>& half_edges, Content&& content, Add&& add) {
   const auto& lattice = setup.lattice;
   if (!walled && !setup.bodies.any()) {
     ChunkOverlap<Space> overlap;
     overlap.compute(lattice, pointers_at<Space>(position, first), half_edges.along, count, box.low, box.high);
-    for (int l = 0; l < count; ++l)
-      overlap.over_cells(lattice, l, [&](std::ptrdiff_t cell, double share) { body(l, cell, share); });
+    for (int l = 0; l < count; ++l) {
+      const auto whole = content(l);
+      overlap.over_cells(lattice, l, [&](std::ptrdiff_t cell, double share) { add(cell, share * whole); });
+    }
     return;
   }
   for (int l = 0; l < count; ++l) {
-    const auto add = [&](std::ptrdiff_t cell, double share) { body(l, setup.bodies.open_neighbour(cell), share); };
+    const auto whole = content(l);
+    const auto add_share = [&](std::ptrdiff_t cell, double share) {
+      add(setup.bodies.open_neighbour(cell), share * whole);
+    };
     const std::ptrdiff_t own = cell_index(lattice, chunk, l);
     if (setup.bodies.open_cell(own) < 1) {
-      add(own, 1);
+      add_share(own, 1);
       continue;
     }
     std::array<double, 3> x{0, 0, 0};
     for (int a = 0; a < Space::axes; ++a) x[a] = position[a][first + static_cast<std::size_t>(l)];
     if (walled) {
-      over_seen_cells(setup.walls, lattice, x, cell_places(chunk, l), half_edges.cube[l], box.low, box.high, add);
+      over_seen_cells(setup.walls, lattice, x, cell_places(chunk, l), half_edges.cube[l], box.low, box.high, add_share);
       continue;
     }
     std::array<double, 3> halves{0, 0, 0};
     for (int a = 0; a < Space::axes; ++a) halves[a] = half_edges.along[a][l];
-    BoxOverlap<Space>(lattice, x, halves, box.low, box.high).over_cells(lattice, add);
+    BoxOverlap<Space>(lattice, x, halves, box.low, box.high).over_cells(lattice, add_share);
   }
 }
 
@@ -239,7 +194,8 @@ void carried_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
         grid.saturated_solid[cell] += share * solid;
       });
     }
-    over_components<Space>([&]<int c>() { scatter_mass<c>(lattice, mass, count, chunk, grid.carried_mass[c].data()); });
+    over_components<Space>(
+        [&]<int c>() { scatter_value<c>(lattice, chunk, mass, count, grid.carried_mass[c].data()); });
   });
   for (int c = 0; c < Space::axes; ++c) fold(grid.carried_mass[c], c, false, setup.soil_box, lattice);
 }
@@ -263,6 +219,10 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
     load.push_back(pressure(time) * lattice.face_area(Space::up) / std::pow(setup.points_per_axis, Space::axes - 1));
 
   over_chunks(tiling, team, [&](std::size_t first, int count) {
+    const Upcoming<Space> upcoming(lattice, soil.home, first, count);
+    upcoming.ask_for_points(soil.position, soil.velocity, soil.affine, soil.stress, soil.mass, soil.porosity);
+    upcoming.template ask_for_grid<1>(lattice, grid.soil_mass, grid.soil_velocity, grid.soil_force);
+    upcoming.template ask_for_grid<4>(lattice, grid.soil_sums);
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
     const bool walled = beside_walls(setup.walls, lattice, chunk, count);
@@ -270,24 +230,30 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
     content.compute(setup, grid, soil, first, count, chunk);
     HalfEdges<Space> half_edges{content.half_edge, {}};
     half_edges.along.fill(content.half_edge);
-    over_boxes(setup, soil.position, setup.soil_box, first, count, chunk, walled, half_edges,
-               [&](int l, std::ptrdiff_t cell, double share) {
-                 double* sums = grid.soil_sums.data() + 4 * cell;
-                 store4(sums, load4(sums) + share * content.horizontal(l));
-                 if (setup.anisotropic) {
-                   grid.linear_drag[1][cell] += share * content.linear_up[l];
-                   grid.quadratic_drag[1][cell] += share * content.quadratic_up[l];
-                 }
-               });
+    const auto share_out = [&](auto&& what, auto&& add) {
+      over_boxes(setup, soil.position, setup.soil_box, first, count, chunk, walled, half_edges, what, add);
+    };
+    double* sums = grid.soil_sums.data();
+    share_out([&](int l) { return content.horizontal[l]; },
+              [&](std::ptrdiff_t cell, Vec4 part) { store4(sums + 4 * cell, load4(sums + 4 * cell) + part); });
+    if (setup.anisotropic) {
+      share_out([&](int l) { return content.linear_up[l]; },
+                [&](std::ptrdiff_t cell, double part) { grid.linear_drag[1][cell] += part; });
+      share_out([&](int l) { return content.quadratic_up[l]; },
+                [&](std::ptrdiff_t cell, double part) { grid.quadratic_drag[1][cell] += part; });
+    }
     const double* volume = content.volume;
+    const double* mass = soil.mass.data() + first;
     over_components<Space>([&]<int c>() {
+      double *masses = grid.soil_mass[c].data(), *momenta = grid.soil_velocity[c].data();
+      double* forces = grid.soil_force[c].data();
       if (walled)
-        scatter_beside_walls<c, true>(setup.walls, lattice, soil, soil.mass.data() + first, volume, first, count, chunk,
-                                      grid.soil_mass[c].data(), grid.soil_velocity[c].data(),
-                                      grid.soil_force[c].data());
-      else
-        scatter_component<c, true>(lattice, soil, soil.mass.data() + first, volume, first, count, chunk,
-                                   grid.soil_mass[c].data(), grid.soil_velocity[c].data(), grid.soil_force[c].data());
+        return scatter_beside_walls<c, true>(setup.walls, lattice, soil, mass, volume, first, count, chunk, masses,
+                                             momenta, forces);
+      Contribution<Space> contribution;
+      contribution.template take_momentum<c>(lattice, soil, mass, first, count);
+      contribution.template take_force<c>(lattice, soil, volume, first, count);
+      scatter_component<c, true>(lattice, chunk, contribution, count, masses, momenta, forces);
     });
     for (int l = 0; l < count && !load.empty(); ++l)
       if (soil.load[first + l] > 0)
@@ -327,16 +293,23 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
   if (setup.single_point) carried_to_grid(setup, soil, soil_tiling, grid, team);
 
   over_chunks(tiling, team, [&](std::size_t first, int count) {
+    const Upcoming<Space> upcoming(lattice, water.home, first, count);
+    upcoming.ask_for_points(water.position, water.velocity, water.affine, water.volume);
+    upcoming.template ask_for_grid<1>(lattice, grid.water_mass, grid.water_velocity, grid.water_volume,
+                                      grid.cell_porosity);
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(water.position, first), count);
     const bool walled = beside_walls(setup.walls, lattice, chunk, count);
     const double* volume = water.volume.data() + first;
     double mass[chunk_size], half[chunk_size], elongated[Space::axes][chunk_size];
+    double bulk[chunk_size];
+    for (int l = 0; l < count; ++l) bulk[l] = grid.cell_porosity[cell_index(lattice, chunk, l)];
     for (int l = 0; l < count; ++l) {
       mass[l] = density * volume[l];
-      const double bulk = volume[l] / grid.cell_porosity[cell_index(lattice, chunk, l)];
-      half[l] = std::max(0.1, half_edge<Space>(bulk, cell_volume));
+      bulk[l] = volume[l] / bulk[l];
     }
+    polder::half_edges<Space>(bulk, cell_volume, count, half);
+    for (int l = 0; l < count; ++l) half[l] = std::max(thinnest_cube, half[l]);
     HalfEdges<Space> half_edges{half, {}};
     for (int a = 0; a < Space::axes; ++a) {
       half_edges.along[a] = half;
@@ -345,15 +318,18 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
       for (int l = 0; l < count; ++l) elongated[a][l] = std::max(thinnest_half, half[l] * (1 + elongation[l]));
       half_edges.along[a] = elongated[a];
     }
-    over_boxes(setup, water.position, setup.water_box, first, count, chunk, walled, half_edges,
-               [&](int l, std::ptrdiff_t cell, double share) { grid.water_volume[cell] += share * volume[l]; });
+    double* water_volume = grid.water_volume.data();
+    over_boxes(
+        setup, water.position, setup.water_box, first, count, chunk, walled, half_edges,
+        [&](int l) { return volume[l]; }, [&](std::ptrdiff_t cell, double part) { water_volume[cell] += part; });
     over_components<Space>([&]<int c>() {
+      double *masses = grid.water_mass[c].data(), *momenta = grid.water_velocity[c].data();
       if (walled)
-        scatter_beside_walls<c, false>(setup.walls, lattice, water, mass, nullptr, first, count, chunk,
-                                       grid.water_mass[c].data(), grid.water_velocity[c].data(), nullptr);
-      else
-        scatter_component<c, false>(lattice, water, mass, nullptr, first, count, chunk, grid.water_mass[c].data(),
-                                    grid.water_velocity[c].data(), nullptr);
+        return scatter_beside_walls<c, false>(setup.walls, lattice, water, mass, nullptr, first, count, chunk, masses,
+                                              momenta, nullptr);
+      Contribution<Space> contribution;
+      contribution.template take_momentum<c>(lattice, water, mass, first, count);
+      scatter_component<c, false>(lattice, chunk, contribution, count, masses, momenta, nullptr);
     });
   });
 

@@ -62,15 +62,6 @@ void add_heads(const Setup<Space>& setup, const GridFields<Space>& grid, Distanc
   }
 }
 
-constexpr std::uint64_t all_known = 0x0101010101010101;
-
-/// Eight flags at once.
-std::uint64_t eight(const std::uint8_t* flags) {
-  std::uint64_t word;
-  std::memcpy(&word, flags, sizeof word);
-  return word;
-}
-
 /// Carries component c of a face field `layers` (1 or 2) layers beyond the faces where `known` is not 0, by the mean of
 /// the known neighbours on the same side of thin walls. Returns where the field is known then.
 template <class Space>
@@ -96,7 +87,7 @@ const AlignedVector<std::uint8_t>& spread(const Lattice<Space>& lattice, const T
           std::uint64_t around = own;
           for (int a = 0; a < Space::axes; ++a)
             around |= eight(before + f - lattice.stride[a]) | eight(before + f + lattice.stride[a]);
-          if (own == all_known || around == 0) {
+          if (own == eight_set || around == 0) {
             std::memcpy(after + f, &own, sizeof own);
             i += 7;
             continue;

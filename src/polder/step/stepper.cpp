@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "polder/math/huge_pages.hpp"
 #include "polder/points/resample.hpp"
 #include "polder/step/face_predictor.hpp"
 #include "polder/step/open_sides.hpp"
@@ -17,6 +18,7 @@ constexpr double point_cfl = 0.5;    // cells that a point may cross in a step
 constexpr double surface_cfl = 0.1;  // of √(h/g): free surfaces are advanced explicitly
 constexpr double viscous_cfl = 0.8;  // of the explicit limit of viscous stresses
 constexpr std::uint64_t resample_every = 10;
+constexpr std::size_t many_points = 100000;  // that do not fit the processor's caches
 
 /// Points that have passed an end of a periodic model come in at the other. Returns whether there are any.
 template <class Space, class Points>
@@ -58,6 +60,7 @@ Stepper<Space>::Stepper(Setup<Space> setup_, SoilPoints<Space> soil_, WaterPoint
       team(threads),
       solver_(setup.lattice) {
   if (setup.unsaturated) unsaturated = std::make_unique<UnsaturatedStep<Space>>(setup, soil, grid);
+  if (soil.size() + water.size() > many_points) use_huge_pages();
 }
 
 template <class Space>
