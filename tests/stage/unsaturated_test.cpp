@@ -48,6 +48,24 @@ polygon = {}
                      outline, more);
 }
 
+/// Rest under gravity, then the change; ends inside [numerics].
+std::string stages(const std::string& duration, double damping, int stretch) {
+  return fmt::format(R"(
+[[stage]]
+name = "rest"
+duration = "20 s"
+initial = true
+local_damping = 0.7
+[[stage]]
+name = "change"
+duration = "{}"
+local_damping = {}
+[numerics]
+step_stretch = {}
+)",
+                     duration, damping, stretch);
+}
+
 std::string column(const std::string& initial_level, const std::string& boundaries, const std::string& duration,
                    const std::string& longest_step = "10 s") {
   return R"(
@@ -58,22 +76,8 @@ cell = "0.25 m"
 [initial]
 water_table = )" +
          fmt::format("[[0, {0}], [0.5, {0}]]", initial_level) +
-         soil("[[0, 0], [0.5, 0], [0.5, 4], [0, 4]]", boundaries) +
-         fmt::format(R"(
-[[stage]]
-name = "rest"
-duration = "20 s"
-initial = true
-local_damping = 0.7
-[[stage]]
-name = "change"
-duration = "{}"
-local_damping = 0.5
-[numerics]
-step_stretch = 1000
-max_step = "{}"
-)",
-                     duration, longest_step);
+         soil("[[0, 0], [0.5, 0], [0.5, 4], [0, 4]]", boundaries) + stages(duration, 0.5, 1000) +
+         fmt::format("max_step = \"{}\"\n", longest_step);
 }
 
 template <class Points>
@@ -148,19 +152,9 @@ head = {}
 [[boundary]]
 side = "base"
 soil = "rough"
-[[stage]]
-name = "rest"
-duration = "20 s"
-initial = true
-local_damping = 0.7
-[[stage]]
-name = "change"
-duration = "60 s"
-local_damping = 0.3
-[numerics]
-step_stretch = 100
 )",
-                                                                          head));
+                                                                          head) +
+                                                                  stages("60 s", 0.3, 100));
   };
   const auto still = after(slope("\"4 m\"")), higher = after(slope(R"([["20 s", "4 m"], ["25 s", "6 m"]])"));
   double moved = 0, stress = 0, largest = 0;

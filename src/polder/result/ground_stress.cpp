@@ -27,8 +27,8 @@ double total_vertical_stress(const Simulation<Space>& run, const std::array<doub
   constexpr int up = Space::up;
   const auto& state = run.state();
   const auto& soil = state.soil;
-  const auto& h = state.setup.lattice.spacing;
   const auto& lattice = state.setup.lattice;
+  const auto& h = lattice.spacing;
   // of the cell, which is what acts on its soil; between the cells' centres heads bend where the soil changes
   const auto cell_pressure = [&](const std::array<double, 3>& x) {
     const auto cell = cell_of(lattice, x);

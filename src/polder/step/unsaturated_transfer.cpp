@@ -290,8 +290,7 @@ Motion strain_points(const Setup<Space>& setup, double dt, const GridFields<Spac
 
 namespace {
 
-constexpr double uneven =
-    0.01;  // of the pores: how differently the points of a cell may be filled before they even out
+constexpr double uneven = 0.01;  // of the pores: so differently may the points of a cell be filled
 
 /// Gives the points what their cells gained, Δ(n V S(p)(1 + p/K)) + n V surplus. Where the points of a cell hold uneven
 /// shares of its water and it moves, they even out by the way that it goes.
