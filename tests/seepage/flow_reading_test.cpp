@@ -20,7 +20,10 @@ Model box() {
   sand.name = "sand";
   sand.permeability = std::array<double, 2>{1e-4, 1e-4};
   model.materials = {sand};
-  model.soils.push_back({0, {{{0, 0}, {4, 0}, {4, 1}, {0, 1}}}, "box"});
+  SoilBody soil;
+  soil.region.polygon = {{0, 0}, {4, 0}, {4, 1}, {0, 1}};
+  soil.name = "box";
+  model.soils = {soil};
   Monitor middle;
   middle.name = "middle";
   middle.kind = MonitorKind::section;

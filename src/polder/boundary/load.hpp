@@ -1,18 +1,28 @@
 #pragma once
-// A pressure on the ground. It acts on the soil points that are the highest of their columns at the start, at the
-// height of the surface above them, and goes with them wherever they go.
+// A pressure on the ground. It acts on the soil points that are the highest of their columns when it comes, at the
+// height of the surface above them, and goes with them wherever they go; a travelling one presses on those of them that
+// are under it.
 #include <cmath>
 #include <map>
 #include <utility>
 
-#include "polder/case/model.hpp"
+#include "polder/case/ground_load.hpp"
 #include "polder/points/point_sets.hpp"
 
 namespace polder {
 
-/// Sets `load` of the points that carry one: 1 + its place in model.loads. Points are columns of the seeding lattice.
+/// As stage number `stage` begins (−1: at the start) sets `load` of the points that a load reaches which comes then, to
+/// 1 + its place in model.loads, and clears it where a load goes. Points are columns of the seeding lattice.
 template <class Space>
-void mark_loaded_points(const Model& model, const Lattice<Space>& lattice, SoilPoints<Space>& soil) {
+void mark_loaded_points(const Model& model, const Lattice<Space>& lattice, int stage, SoilPoints<Space>& soil) {
+  bool comes = false;
+  for (std::size_t k = 0; k < model.loads.size(); ++k) {
+    comes = comes || model.loads[k].from_stage == stage;
+    if (stage >= 0 && model.loads[k].until_stage == stage)
+      for (auto& load : soil.load)
+        if (load == k + 1) load = 0;
+  }
+  if (!comes) return;
   std::map<std::pair<long, long>, std::size_t> highest;
   std::array<double, 3> d{1, 1, 1};
   for (int a = 0; a < Space::axes; ++a) d[a] = lattice.spacing[a] / model.points_per_axis;
@@ -22,10 +32,14 @@ void mark_loaded_points(const Model& model, const Lattice<Space>& lattice, SoilP
     const auto [at, is_new] = highest.try_emplace(column, p);
     if (!is_new && soil.position[Space::up][p] > soil.position[Space::up][at->second]) at->second = p;
   }
-  for (const auto& [column, p] : highest) {
-    const double x = (static_cast<double>(column.first) + 0.5) * d[0];
-    for (std::size_t k = 0; k < model.loads.size(); ++k)
-      if (x > model.loads[k].span[0] && x < model.loads[k].span[1]) soil.load[p] = static_cast<std::uint8_t>(k + 1);
+  for (std::size_t k = 0; k < model.loads.size(); ++k) {
+    if (model.loads[k].from_stage != stage) continue;
+    const auto [from, to] = reach_of(model.loads[k], model);
+    const double edge = model.loads[k].speed != 0 ? 0.5 * d[0] : 0;  // a travelling one covers points little by little
+    for (const auto& [column, p] : highest) {
+      const double x = (static_cast<double>(column.first) + 0.5) * d[0];
+      if (x > from - edge && x < to + edge) soil.load[p] = static_cast<std::uint8_t>(k + 1);
+    }
   }
 }
 

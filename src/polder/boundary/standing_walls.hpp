@@ -11,6 +11,13 @@
 
 namespace polder {
 
+/// A face of a thin wall along which soil slides with friction.
+struct FrictionFace {
+  int axis;
+  std::ptrdiff_t face;
+  double coefficient;  ///< tan δ
+};
+
 /// Whether the wall's own time has not come at `time`, to within round-off.
 inline bool stands_at(const WallInput& wall, double time) { return wall.until - time > 1e-9 * std::abs(time); }
 
@@ -19,6 +26,7 @@ inline std::vector<bool> standing(const Model& model, std::size_t stage, double 
   std::vector<bool> stands;
   for (const WallInput& wall : model.walls)
     stands.push_back(stands_at(wall, time) &&
+                     (wall.from_stage < 0 || stage >= static_cast<std::size_t>(wall.from_stage)) &&
                      (wall.until_stage < 0 || stage < static_cast<std::size_t>(wall.until_stage)));
   return stands;
 }
@@ -39,6 +47,26 @@ ThinWalls<Space> make_thin_walls(const Model& model, const Lattice<Space>& latti
   }
   walls.finish();
   return walls;
+}
+
+/// Their faces along which soil slides with friction.
+template <class Space>
+std::vector<FrictionFace> friction_faces(const Model& model, const Lattice<Space>& lattice,
+                                         const std::vector<bool>& stands) {
+  std::vector<FrictionFace> faces;
+  for (std::size_t w = 0; w < model.walls.size(); ++w) {
+    const WallInput& wall = model.walls[w];
+    if (!stands[w] || wall.line.empty() || wall.rough || wall.friction_angle <= 0) continue;
+    for (const WallFace& face : stepped_wall(wall.line, {lattice.spacing[0], lattice.spacing[Space::up]}).faces)
+      for (int across = 0; across < (Space::axes == 3 ? lattice.cells[1] : 1); ++across) {
+        const int axis = face.upright ? 0 : Space::up;
+        const int place = face.upright ? face.i : face.j;
+        if (place <= 0 || place >= lattice.cells[axis]) continue;  // the model's own walls are there
+        faces.push_back({axis, Space::axes == 3 ? lattice.index(face.i, across, face.j) : lattice.index(face.i, face.j),
+                         std::tan(wall.friction_angle)});
+      }
+  }
+  return faces;
 }
 
 /// The bodies among those that stand.

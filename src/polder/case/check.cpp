@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "polder/case/geometry.hpp"
+#include "polder/case/ground_section.hpp"
 #include "polder/case/sections.hpp"
 #include "polder/math/units.hpp"
 
@@ -137,6 +138,9 @@ void check_bodies(const Checking& c) {
         check_region(c, c.model.boundaries[i].region, f, "region"))
       reservoirs.push_back({c.model.boundaries[i].region, f});
   }
+  for (std::size_t i = 0; i < c.model.changes.size(); ++i)
+    check_region(c, c.model.changes[i].region, c.sections.changes[i],
+                 c.sections.changes[i].find("box") ? "box" : "polygon");
   refuse_overlaps(c, soils, "bodies of soil may touch but not overlap");
   refuse_overlaps(c, waters, "bodies of free water may touch but not overlap");
   refuse_overlaps(c, reservoirs, "reservoirs may touch but not overlap");
@@ -150,8 +154,9 @@ void check_bodies(const Checking& c) {
            "add a [[soil]] or a [[free_water]]");
   for (std::size_t i = 0; i < c.sections.materials.size(); ++i) {
     const std::string& name = c.model.materials[i].name;
-    const bool used = std::any_of(c.sections.soils.begin(), c.sections.soils.end(),
-                                  [&](const Fields& f) { return f.text("material") == name; });
+    const auto names_it = [&](const Fields& f) { return f.text("material") == name; };
+    const bool used = std::any_of(c.sections.soils.begin(), c.sections.soils.end(), names_it) ||
+                      std::any_of(c.sections.changes.begin(), c.sections.changes.end(), names_it);
     if (!used && !name.empty())
       warn(c.diagnostics, c.sections.materials[i].place_of("name"), c.sections.materials[i].path, "is used by no soil");
   }
@@ -380,6 +385,7 @@ void check_model(const Sections& sections, Model& model, Diagnostics& diagnostic
   check_walls(sections, model, diagnostics);
   check_sides(sections, model, diagnostics);
   check_stages(c);
+  check_ground(sections, model, diagnostics);
   check_monitors(c);
 }
 

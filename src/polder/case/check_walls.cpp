@@ -29,10 +29,6 @@ bool check_corners(const std::vector<Point2>& corners, const Fields& f, std::str
 void check_thin_wall(const WallInput& wall, const Fields& f, const Model& model, Diagnostics& diagnostics) {
   const std::size_t up = model.space == SpaceKind::solid ? 2 : 1;
   const double tolerance = 1e-9 * std::max(model.size[0], model.size[up]);
-  if (f.is_given("friction_angle"))
-    report(diagnostics, f.place_of("friction_angle"), f.path,
-           "is thin, and friction along thin walls is not available yet",
-           "leave friction_angle out and choose soil = \"smooth\" or \"rough\", or make it a body with a polygon");
   if (!check_corners(wall.line, f, "line", model, diagnostics)) return;
   const SteppedWall stepped = stepped_wall(wall.line, {model.cell[0], model.cell[up]});
   if (stepped.faces.empty())
@@ -48,9 +44,6 @@ void check_thin_wall(const WallInput& wall, const Fields& f, const Model& model,
 
 void check_body(const WallInput& wall, const Fields& f, const Model& model, Diagnostics& diagnostics) {
   const std::string_view key = f.is_given("box") ? "box" : "polygon";
-  if (f.is_given("friction_angle") && wall.rough)
-    report(diagnostics, f.place_of("friction_angle"), f.path_of("friction_angle"),
-           "has no meaning on a rough wall, to which soil sticks", "leave it out, or set soil = \"smooth\"");
   if (!check_corners(wall.polygon, f, key, model, diagnostics)) return;
   if (const auto at = self_intersection(wall.polygon))
     report(diagnostics, f.place_of(key), f.path_of(key),
@@ -72,6 +65,16 @@ void check_walls(const Sections& sections, const Model& model, Diagnostics& diag
     if (f.is_given("until") && f.is_given("until_stage"))
       report(diagnostics, f.place_of("until_stage"), f.path_of("until_stage"), "is given besides a time",
              "a wall vanishes once: keep one of until and until_stage");
+    const WallInput& w = model.walls[i];
+    if (w.from_stage >= 0 && !w.polygon.empty())
+      report(diagnostics, f.place_of("from_stage"), f.path_of("from_stage"),
+             "is for thin walls: a body cannot appear in soil or water", "give the wall as a line, or leave it out");
+    if (w.from_stage >= 0 && w.until_stage >= 0 && w.until_stage <= w.from_stage)
+      report(diagnostics, f.place_of("until_stage"), f.path_of("until_stage"), "the wall vanishes before it is put in",
+             "name a stage after that of from_stage");
+    if (f.is_given("friction_angle") && w.rough)
+      report(diagnostics, f.place_of("friction_angle"), f.path_of("friction_angle"),
+             "has no meaning on a rough wall, to which soil sticks", "leave it out, or set soil = \"smooth\"");
     if (!fits(0) || !fits(up)) continue;
     if (model.walls[i].line.size() >= 2) check_thin_wall(model.walls[i], f, model, diagnostics);
     if (model.walls[i].polygon.size() >= 3) check_body(model.walls[i], f, model, diagnostics);

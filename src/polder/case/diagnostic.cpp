@@ -94,15 +94,24 @@ std::string format(const Diagnostics& diagnostics) {
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
   std::string best;
-  std::size_t least = std::max<std::size_t>(2, word.size() / 3) + 1;
+  std::size_t least = std::max<std::size_t>(2, word.size() / 3), alike = 0;
   for (const std::string& candidate : candidates) {
     const std::size_t distance = edit_distance(word, candidate);
-    if (distance < least && distance < std::max(word.size(), candidate.size())) {
-      least = distance;
-      best = candidate;
-    }
+    const auto same = static_cast<std::size_t>(
+        std::mismatch(word.begin(), word.end(), candidate.begin(), candidate.end()).first - word.begin());
+    if (distance > least || distance >= std::max(word.size(), candidate.size())) continue;
+    if (!best.empty() && distance == least && same <= alike) continue;
+    least = distance;
+    alike = same;
+    best = candidate;
   }
   return best;
+}
+
+std::string suggestion(std::string_view name, const std::vector<std::string>& known) {
+  if (known.empty()) return "";
+  const std::string near = nearest(name, known);
+  return near.empty() ? fmt::format("known: {}", fmt::join(known, ", ")) : fmt::format("did you mean \"{}\"?", near);
 }
 
 }  // namespace polder

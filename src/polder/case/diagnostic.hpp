@@ -38,6 +38,10 @@ std::string format(const Diagnostic& diagnostic);
 std::string format(const Diagnostics& diagnostics);
 
 /// The candidate nearest to `word` by edit distance, or "" where none is near enough to be a misspelling.
+/// Of several that are equally near, the one that begins like it for longest.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+
+/// The remedy for a name that is not one of those: the nearest, or all of them; "" where there are none.
+std::string suggestion(std::string_view name, const std::vector<std::string>& known);
 
 }  // namespace polder

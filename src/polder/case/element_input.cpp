@@ -72,10 +72,8 @@ std::vector<int> materials_of(const Fields& f, const std::vector<ElementMaterial
     if (wanted.empty() || wanted == materials[i].name) chosen.push_back(static_cast<int>(i));
   }
   if (chosen.empty() && !wanted.empty()) {
-    const std::string near = nearest(wanted, names);
     report(diagnostics, f.place_of("material"), f.path_of("material"),
-           fmt::format("there is no material \"{}\"", wanted),
-           near.empty() ? fmt::format("known: {}", fmt::join(names, ", ")) : fmt::format("did you mean \"{}\"?", near));
+           fmt::format("there is no material \"{}\"", wanted), suggestion(wanted, names));
   }
   return chosen;
 }

@@ -40,6 +40,10 @@ void check_unsaturated_limits(const Sections& sections, const Model& model, Diag
            fmt::format("{} not available in the unsaturated formulation yet", what), std::string(remedy));
   };
   if (!model.walls.empty()) refuse(sections.walls.front(), "line", "walls are", "leave them out");
+  if (!model.rains.empty())
+    refuse(sections.rains.front(), "rate", "[[rain]] is", "give condition = \"rain\" by a [[seepage_boundary]]");
+  if (!model.wells.empty()) refuse(sections.wells.front(), "at", "wells are", "leave them out");
+  if (!model.changes.empty()) refuse(sections.changes.front(), "action", "changes of the ground are", "leave them out");
   if (!model.loads.empty()) refuse(sections.loads.front(), "pressure", "loads on the ground are", "leave them out");
   if (!model.free_water.empty())
     refuse(sections.free_water.front(), "box", "free water is",
@@ -48,12 +52,29 @@ void check_unsaturated_limits(const Sections& sections, const Model& model, Diag
     if (model.boundaries[i].water != WaterCondition::closed)
       refuse(sections.boundaries[i], "water", "water conditions of a [[boundary]] are",
              "give them by a [[seepage_boundary]]");
+  for (std::size_t i = 0; i < model.boundaries.size(); ++i)
+    if (model.boundaries[i].soil == SoilCondition::absorbing)
+      refuse(sections.boundaries[i], "soil", "absorbing sides are", "set soil = \"roller\"");
 }
 
 }  // namespace
 
 void check_limits(const Sections& sections, const Model& model, Diagnostics& diagnostics) {
   if (model.unsaturated) check_unsaturated_limits(sections, model, diagnostics);
+  for (const Fields& f : sections.stages)
+    for (const char* key : {"mass_scaling", "step_stretch"})
+      if (!model.unsaturated && f.is_given(key))
+        report(diagnostics, f.place_of(key), f.path_of(key), "is only for the unsaturated formulation",
+               "leave it out, or set model.formulation = \"unsaturated\"");
+  if (model.single_point && !model.unsaturated) {
+    const auto refuse = [&](const Fields& f, std::string_view key, const char* what) {
+      report(diagnostics, f.place_of(key), f.path_of(key),
+             fmt::format("{} not available in the single-point formulation", what),
+             "set model.formulation = \"double-point\"");
+    };
+    if (!model.wells.empty()) refuse(sections.wells.front(), "at", "wells are");
+    if (!model.rains.empty()) refuse(sections.rains.front(), "rate", "[[rain]] is");
+  }
   int lines = 0;
   for (std::size_t i = 0; i < model.boundaries.size(); ++i) {
     const Boundary& b = model.boundaries[i];
@@ -67,6 +88,9 @@ void check_limits(const Sections& sections, const Model& model, Diagnostics& dia
     if (b.side && b.soil == SoilCondition::none)
       report(diagnostics, f.place_of("soil"), f.path_of("soil"),
              "sides that the soil does not feel are not available yet", "set soil = \"roller\" or \"rough\"");
+    if (b.soil == SoilCondition::absorbing && (!b.side || b.water != WaterCondition::closed))
+      report(diagnostics, f.place_of("soil"), f.path_of("soil"), "only a closed side of the model absorbs waves",
+             b.side ? "set water = \"closed\", or soil = \"roller\"" : "give a side instead of a line or a region");
     if (b.line.size() == 2) {
       check_line_limits(model, b, f, diagnostics);
       if (++lines > 1)

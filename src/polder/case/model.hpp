@@ -62,7 +62,7 @@ struct FreeWaterBody {
   std::string name;  ///< may be empty
 };
 
-enum class SoilCondition { none, roller, rough };
+enum class SoilCondition { none, roller, rough, absorbing };
 /// `no_slip`: closed, and the water sticks to it.
 enum class WaterCondition { closed, open, reservoir, head, inflow, no_slip };
 enum class Side { left, right, base, top, front, back };
@@ -72,7 +72,8 @@ struct Boundary {
   std::string name;
   std::optional<Side> side;
   std::vector<Point2> line;  ///< two points of a vertical or horizontal line; used where `side` is absent
-  /// `roller`: no normal displacement of the soil; `rough`: no displacement at all.
+  /// `roller`: no normal displacement of the soil; `rough`: no displacement at all; `absorbing`: the ground goes on
+  /// beyond the side, which lets waves out.
   SoilCondition soil = SoilCondition::none;
   WaterCondition water = WaterCondition::closed;
   Region region;                              ///< of a reservoir
@@ -84,11 +85,49 @@ struct Boundary {
   Table slide, push;
 };
 
-/// A pressure on the ground, downwards; it moves with the soil that is at the surface at the start.
+/// A pressure on the ground, downwards. It acts on the soil that is at the surface when it comes, and moves with that
+/// soil; a travelling one moves over it.
 struct GroundLoad {
   std::string name;
-  std::array<double, 2> span{};  ///< m, [from, to] of x
-  Table pressure;                ///< Pa, as a function of time
+  std::array<double, 2> span{};          ///< m, [from, to] of x; of a travelling load at t = 0
+  Table pressure;                        ///< Pa, as a function of time
+  std::optional<Table> pressure_at_end;  ///< Pa, at the span's end, linear in between; absent: the same all along
+  double speed = 0;                      ///< m/s along x, from t = 0 on
+  int from_stage = -1;   ///< index into Model::stages; it comes as that stage begins; −1: at the start
+  int until_stage = -1;  ///< likewise; it goes as that stage begins; −1: it stays
+};
+
+enum class ChangeKind { excavate, place, convert };
+/// Of the water in the pores of excavated soil: it goes with the soil, it stays, or water also takes the grains' place.
+enum class ExcavatedWater { take, leave, replace };
+
+/// What is done to the ground as a stage begins: the soil in a region is taken out, soil is placed there, or what is
+/// there becomes another material.
+struct GroundChange {
+  std::string name;
+  int stage = 0;  ///< index into Model::stages, at least 1
+  ChangeKind kind = ChangeKind::excavate;
+  int material = -1;  ///< index into Model::materials, of what is placed or what it becomes
+  Region region;
+  ExcavatedWater water = ExcavatedWater::take;
+};
+
+/// Water that is taken out of the soil, or put into it, at a place inside the model: a well, a drain, a leaking pipe.
+struct Well {
+  std::string name;
+  std::vector<Point3> at;  ///< m, one point (in plane strain a pipe across the section) or the two ends of a line
+  std::optional<Table> discharge;         ///< m²/s, per metre of the section or of a line in 3d, of the time in s
+  std::optional<Table> head;              ///< m above datum y = 0, instead
+  double radius = 0;                      ///< m, of the pipe or well where a head is given
+  bool only_takes = false;                ///< a drain: no water comes out of it
+  int from_stage = -1, until_stage = -1;  ///< index into Model::stages; −1: from the start, to the end
+};
+
+/// Water that falls on the ground or on free water.
+struct Rain {
+  std::string name;
+  std::optional<std::array<double, 2>> span;  ///< m, [from, to] of x; absent: everywhere
+  Table rate;                                 ///< m/s, as a function of time
 };
 
 /// A rigid wall: a thin one or a body. A thin one is a line, thinner than a cell: it lies on the faces of the grid
@@ -99,9 +138,10 @@ struct WallInput {
   std::vector<Point2> line;     ///< of a thin wall, (x, height) from end to end; in 3d it extends all across y
   std::vector<Point2> polygon;  ///< of a body; likewise
   bool rough = false;           ///< soil sticks to it; else it slides along
-  double friction_angle = 0;    ///< rad, between a body and the soil
+  double friction_angle = 0;    ///< rad, between the wall and soil that slides along it
   double until = std::numeric_limits<double>::infinity();  ///< s; then it vanishes
-  int until_stage = -1;  ///< index into Model::stages; it vanishes as that stage begins; −1: none
+  int from_stage = -1;   ///< index into Model::stages; it is put in as that stage begins; −1: it is there
+  int until_stage = -1;  ///< likewise; it vanishes as that stage begins; −1: none
 };
 
 /// A span of the run. Stages marked `initial` run before t = 0 and end with displacements, velocities and plastic
@@ -115,6 +155,9 @@ struct Stage {
   double water_damping = 0;  ///< 1/s, of the water's velocity
   double local_damping = 0;  ///< Cundall's factor on the soil's out-of-balance force
   bool hold_water = false;   ///< water is held horizontally (the papers' gravity phase)
+  /// In place of Output's and Numerics' during this stage.
+  std::optional<double> history_interval, snapshot_interval;  ///< s
+  std::optional<double> mass_scaling, step_stretch;
 };
 
 enum class MonitorKind { point, section, surface, integral };
@@ -180,6 +223,9 @@ struct Model {
   std::vector<Boundary> boundaries;
   std::vector<WallInput> walls;
   std::vector<GroundLoad> loads;
+  std::vector<GroundChange> changes;
+  std::vector<Well> wells;
+  std::vector<Rain> rains;
   std::vector<Stage> stages;
   std::vector<Monitor> monitors;
   Output output;

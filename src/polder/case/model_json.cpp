@@ -61,9 +61,28 @@ void add_table(Json& json, const char* key, const Table& table) {
   for (std::size_t i = 0; i < table.x.size(); ++i) json[key].push_back({table.x[i], table.y[i]});
 }
 
-Json load_json(const GroundLoad& load) {
+/// The stage that an index names, where it names one.
+void add_stage(Json& json, const char* key, int stage, const Model& model) {
+  if (stage >= 0) json[key] = model.stages.at(static_cast<std::size_t>(stage)).name;
+}
+
+Json load_json(const GroundLoad& load, const Model& model) {
   Json json{{"name", load.name}, {"span", load.span}};
   add_table(json, "pressure", load.pressure);
+  if (load.pressure_at_end) add_table(json, "pressure_at_end", *load.pressure_at_end);
+  if (load.speed != 0) json["speed"] = load.speed;
+  add_stage(json, "from_stage", load.from_stage, model);
+  add_stage(json, "until_stage", load.until_stage, model);
+  return json;
+}
+
+Json change_json(const GroundChange& change, const Model& model) {
+  Json json = with_name(Json::object(), change.name);
+  add_stage(json, "stage", change.stage, model);
+  json["action"] = word("change", "action", static_cast<int>(change.kind));
+  if (change.material >= 0) json["material"] = model.materials.at(static_cast<std::size_t>(change.material)).name;
+  json.update(region_json(change.region));
+  if (change.kind == ChangeKind::excavate) json["water"] = word("change", "water", static_cast<int>(change.water));
   return json;
 }
 
@@ -90,19 +109,45 @@ Json wall_json(const WallInput& w, const Model& model) {
   if (w.friction_angle > 0) json["friction_angle"] = w.friction_angle;
   json["soil"] = w.rough ? "rough" : "smooth";
   if (std::isfinite(w.until)) json["until"] = w.until;
-  if (w.until_stage >= 0) json["until_stage"] = model.stages.at(static_cast<std::size_t>(w.until_stage)).name;
+  add_stage(json, "from_stage", w.from_stage, model);
+  add_stage(json, "until_stage", w.until_stage, model);
   return json;
 }
 
 Json stage_json(const Stage& s) {
-  return {{"name", s.name},
-          {"duration", s.duration},
-          {"initial", s.initial},
-          {"ramp", s.ramp},
-          {"damping", s.damping},
-          {"water_damping", s.water_damping},
-          {"local_damping", s.local_damping},
-          {"hold_water", s.hold_water}};
+  Json json{{"name", s.name},
+            {"duration", s.duration},
+            {"initial", s.initial},
+            {"ramp", s.ramp},
+            {"damping", s.damping},
+            {"water_damping", s.water_damping},
+            {"local_damping", s.local_damping},
+            {"hold_water", s.hold_water}};
+  if (s.history_interval) json["history"] = *s.history_interval;
+  if (s.snapshot_interval) json["snapshots"] = *s.snapshot_interval;
+  if (s.mass_scaling) json["mass_scaling"] = *s.mass_scaling;
+  if (s.step_stretch) json["step_stretch"] = *s.step_stretch;
+  return json;
+}
+
+Json well_json(const Well& w, const Model& model) {
+  Json json{{"name", w.name}, {"at", w.at}};
+  if (w.discharge) add_table(json, "discharge", *w.discharge);
+  if (w.head) {
+    add_table(json, "head", *w.head);
+    json["radius"] = w.radius;
+    json["only_takes"] = w.only_takes;
+  }
+  add_stage(json, "from_stage", w.from_stage, model);
+  add_stage(json, "until_stage", w.until_stage, model);
+  return json;
+}
+
+Json rain_json(const Rain& r) {
+  Json json{{"name", r.name}};
+  add_table(json, "rate", r.rate);
+  if (r.span) json["span"] = *r.span;
+  return json;
 }
 
 /// What the curves are, as numbers: enough to tell two cases apart.
@@ -186,7 +231,10 @@ Json case_json(const Model& model) {
   for (const Boundary& b : model.boundaries) json["boundary"].push_back(boundary_json(b));
   for (const WallInput& w : model.walls) json["wall"].push_back(wall_json(w, model));
   json["load"] = Json::array();
-  for (const GroundLoad& load : model.loads) json["load"].push_back(load_json(load));
+  for (const GroundLoad& load : model.loads) json["load"].push_back(load_json(load, model));
+  for (const Well& well : model.wells) json["well"].push_back(well_json(well, model));
+  for (const Rain& rain : model.rains) json["rain"].push_back(rain_json(rain));
+  for (const GroundChange& change : model.changes) json["change"].push_back(change_json(change, model));
   json["stage"] = Json::array();
   for (const Stage& s : model.stages) json["stage"].push_back(stage_json(s));
   json["monitor"] = Json::array();

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "polder/case/document.hpp"
+#include "polder/case/ground_section.hpp"
 #include "polder/case/sections.hpp"
 #include "polder/case/seepage_section.hpp"
 #include "polder/case/stability_section.hpp"
@@ -135,18 +136,16 @@ SoilBody read_soil(const Fields& f, const Model& model, Diagnostics& diagnostics
   }
   std::vector<std::string> names;
   for (const MaterialInput& m : model.materials) names.push_back(m.name);
-  const std::string near = nearest(material->text, names);
   report(diagnostics, material->place, f.path_of("material"),
          fmt::format("there is no material \"{}\"", material->text),
-         !near.empty()   ? fmt::format("did you mean \"{}\"?", near)
-         : names.empty() ? "add a [[material]] of that name"
-                         : fmt::format("known: {}", fmt::join(names, ", ")));
+         names.empty() ? "add a [[material]] of that name" : suggestion(material->text, names));
   return soil;
 }
 
 Boundary read_boundary(const Fields& f, Diagnostics& diagnostics) {
   static constexpr Side sides[] = {Side::left, Side::right, Side::base, Side::top, Side::front, Side::back};
-  static constexpr SoilCondition soils[] = {SoilCondition::none, SoilCondition::roller, SoilCondition::rough};
+  static constexpr SoilCondition soils[] = {SoilCondition::none, SoilCondition::roller, SoilCondition::rough,
+                                            SoilCondition::absorbing};
   static constexpr WaterCondition waters[] = {WaterCondition::closed, WaterCondition::open,   WaterCondition::reservoir,
                                               WaterCondition::head,   WaterCondition::inflow, WaterCondition::no_slip};
   Boundary boundary;
@@ -189,18 +188,8 @@ WallInput read_wall(const Fields& f, const Model& model, Diagnostics& diagnostic
   }
   wall.rough = f.text("soil") == "rough";
   wall.until = f.number("until", wall.until);
-  const Entry* until = f.find("until_stage");
-  if (!until) return wall;
-  const auto stage =
-      std::find_if(model.stages.begin(), model.stages.end(), [&](const Stage& s) { return s.name == until->text; });
-  if (stage != model.stages.end()) {
-    wall.until_stage = static_cast<int>(stage - model.stages.begin());
-    return wall;
-  }
-  std::vector<std::string> names;
-  for (const Stage& s : model.stages) names.push_back(s.name);
-  report(diagnostics, until->place, f.path_of("until_stage"), fmt::format("there is no stage \"{}\"", until->text),
-         fmt::format("known: {}", fmt::join(names, ", ")));
+  wall.from_stage = stage_named(f, "from_stage", model, diagnostics);
+  wall.until_stage = stage_named(f, "until_stage", model, diagnostics);
   return wall;
 }
 
@@ -214,6 +203,14 @@ Stage read_stage(const Fields& f) {
   stage.local_damping = f.number("local_damping");
   stage.water_damping = f.number("water_damping");
   stage.hold_water = f.flag("hold_water");
+  const auto own = [&](std::string_view key) {
+    const Entry* entry = f.find(key);
+    return entry ? std::optional(entry->number) : std::nullopt;
+  };
+  stage.history_interval = own("history");
+  stage.snapshot_interval = own("snapshots");
+  stage.mass_scaling = own("mass_scaling");
+  stage.step_stretch = own("step_stretch");
   return stage;
 }
 
@@ -228,19 +225,6 @@ Monitor read_monitor(const Fields& f) {
   monitor.region.polygon = points2(f.find("region"));
   monitor.follows_soil = f.flag("follows_soil");
   return monitor;
-}
-
-GroundLoad read_load(const Fields& f, Diagnostics& diagnostics) {
-  GroundLoad load;
-  load.name = f.text("name");
-  if (const Entry* pressure = f.find("pressure")) load.pressure = pressure->table;
-  const Entry* span = f.find("span");
-  if (span && span->numbers.size() == 2 && span->numbers[0] < span->numbers[1])
-    load.span = {span->numbers[0], span->numbers[1]};
-  else if (span)
-    report(diagnostics, span->place, f.path_of("span"), "is not [from, to] with from < to",
-           "give the two ends of the load along x");
-  return load;
 }
 
 void read_initial(const Fields& f, Model& model) {
@@ -319,7 +303,13 @@ ReadResult read_case(const std::string& path, const std::vector<std::string>& ov
   for (const Fields& f : sections.stages) model.stages.push_back(read_stage(f));
   for (const Fields& f : sections.walls) model.walls.push_back(read_wall(f, model, diagnostics));
   for (const Fields& f : sections.monitors) model.monitors.push_back(read_monitor(f));
-  for (const Fields& f : sections.loads) model.loads.push_back(read_load(f, diagnostics));
+  for (const Fields& f : sections.loads) model.loads.push_back(read_load(f, model, diagnostics));
+  for (const Fields& f : sections.wells) model.wells.push_back(read_well(f, model, diagnostics));
+  for (const Fields& f : sections.rains) model.rains.push_back(read_rain(f, diagnostics));
+  for (const Fields& f : sections.changes) {
+    model.changes.push_back(read_change(f, model, diagnostics));
+    model.changes.back().region = read_region(f, model, diagnostics);
+  }
   read_initial(sections.initial, model);
   read_output(sections.output, model.output);
   read_numerics(sections.numerics, model.numerics);

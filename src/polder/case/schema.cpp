@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "polder/case/ground_section.hpp"
 #include "polder/case/seepage_section.hpp"
 #include "polder/case/stability_section.hpp"
 #include "polder/math/units.hpp"
@@ -34,6 +35,15 @@ const std::vector<Section> sections = {
      "A rigid wall inside the model that neither water nor soil crosses: a thin one, a line that lies on the faces of "
      "the "
      "grid nearest to it, or a body of any shape, a polygon or a box. `until` or `until_stage` makes it a gate."},
+    {"well", true, false,
+     "A well, a drain or a leaking pipe inside the soil: water is taken out, or put in, at a point or along a line, by "
+     "a "
+     "discharge or at a head."},
+    {"rain", true, false, "Water that falls on the ground and on free water, as points (double-point formulation)."},
+    {"change", true, false,
+     "What is done to the ground as a stage begins: soil in a polygon or a box is excavated, placed, or becomes "
+     "another "
+     "material. The masses are booked in the balances of the run."},
     {"stage", true, true,
      "A span of the run; stages follow each other in the order of the file. Those marked `initial` come first, end at "
      "t = 0, and leave displacements, velocities and plastic strains at zero."},
@@ -55,7 +65,9 @@ const std::vector<Section> sections = {
      "table, "
      "such lines one under the other, and hydrostatic under the last."},
     {"load", true, false,
-     "A pressure on the ground, downwards. It moves with the soil that is at the surface at the start."},
+     "A pressure on the ground, downwards. It moves with the soil that is at the surface when it comes, or travels "
+     "over "
+     "it."},
 };
 
 std::vector<Key> make_keys() {
@@ -168,8 +180,9 @@ std::vector<Key> make_keys() {
        "A side of the model; `front` (y = 0) and `back` in 3d only."},
       {"boundary", "line", "", "polyline", false, "", any, infinity, R"([["2 m", "0 m"], ["2 m", "1.5 m"]])",
        "Instead of a side: two points of a vertical or horizontal line that lies on the grid."},
-      {"boundary", "soil", "", "choice:none|roller|rough", false, "roller", any, infinity, R"("rough")",
-       "`roller`: no displacement of the soil across it; `rough`: none at all; `none`: the soil does not feel it."},
+      {"boundary", "soil", "", "choice:none|roller|rough|absorbing", false, "roller", any, infinity, R"("rough")",
+       "`roller`: no displacement of the soil across it; `rough`: none at all; `none`: the soil does not feel it; "
+       "`absorbing`: the ground goes on beyond the side, waves leave (in initial stages a roller)."},
       {"boundary", "water", "", "choice:closed|open|reservoir|head|inflow|no-slip", false, "closed", any, infinity,
        R"("closed")",
        "`closed`: no flow; `open`: water passes freely; `reservoir`: the head is given in a region; `head`: the head "
@@ -210,7 +223,9 @@ std::vector<Key> make_keys() {
       {"wall", "soil", "", "choice:smooth|rough", false, "smooth", any, infinity, R"("smooth")",
        "Whether soil slides along the wall or sticks to it. Water always slides."},
       {"wall", "friction_angle", "δ", "angle", false, "0 deg", 0, 1.5533430342749532, R"("20 deg")",
-       "Of soil that slides along a body."},
+       "Of soil that slides along it."},
+      {"wall", "from_stage", "", "name", false, "", any, infinity, R"("dig")",
+       "Name of the stage at whose beginning a thin wall is put in. Left out: it is there from the start."},
       {"wall", "until", "", "time", false, "", 0, 3.2e9, R"("2 s")",
        "When the wall vanishes, in time of the event (t = 0 after the initial stages). Left out: it stays."},
       {"wall", "until_stage", "", "name", false, "", any, infinity, R"("rest")",
@@ -231,6 +246,14 @@ std::vector<Key> make_keys() {
       {"stage", "hold_water", "", "flag", false, "false", any, infinity, "false",
        "Water does not move horizontally, so that a level difference can wait for the next stage; in the unsaturated "
        "formulation pore pressures stay as they are."},
+      {"stage", "history", "", "time", false, "", 1e-9, 3.2e9, R"("10 ms")",
+       "Interval of the rows of history.csv during this stage, in place of `output.history`."},
+      {"stage", "snapshots", "", "time", false, "", 1e-9, 3.2e9, R"("0.1 s")",
+       "Interval of the snapshots during this stage, in place of `output.snapshots`."},
+      {"stage", "mass_scaling", "F", "ratio", false, "", 1, 1e8, "1",
+       "During this stage, in place of `numerics.mass_scaling`."},
+      {"stage", "step_stretch", "", "ratio", false, "", 1, 1e5, "1",
+       "During this stage, in place of `numerics.step_stretch`."},
       // ---- monitor
       {"monitor", "name", "", "name", true, "", any, infinity, R"("toe")", "Heads its column of history.csv."},
       {"monitor", "kind", "", "choice:point|section|surface|integral", false, "point", any, infinity, R"("point")",
@@ -309,6 +332,7 @@ const std::vector<Section>& case_sections() { return sections; }
 const std::vector<Key>& case_keys() {
   static const std::vector<Key> keys = [] {
     std::vector<Key> all = make_keys();
+    for (Key& key : ground_keys()) all.push_back(std::move(key));
     for (Key& key : seepage_keys()) all.push_back(std::move(key));
     for (Key& key : stability_keys()) all.push_back(std::move(key));
     return all;

@@ -158,6 +158,9 @@ Sections read_sections(const Value& document, Diagnostics& diagnostics) {
     if (section.name == "strength") sections.strengths = all();
     if (section.name == "head_line") sections.head_lines = all();
     if (section.name == "load") sections.loads = all();
+    if (section.name == "change") sections.changes = all();
+    if (section.name == "well") sections.wells = all();
+    if (section.name == "rain") sections.rains = all();
     if (section.name == "seepage") sections.seepage = one();
     if (section.name == "retention") sections.retentions = all();
     if (section.name == "seepage_boundary") sections.seepage_boundaries = all();

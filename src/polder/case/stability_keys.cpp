@@ -104,16 +104,6 @@ std::vector<Key> stability_keys() {
       {"head_line", "head_below", "", "polyline", false, "", any, infinity, R"([["0 m", "1 m"], ["4 m", "0.8 m"]])",
        "Head for the soil just below the line. Left out: as above it."},
       // ---- load
-      {"load", "name", "", "name", false, "", any, infinity, R"("traffic")", "For messages and the report."},
-      {"load", "span", "", "list of length", false, "", any, infinity, R"(["1 m", "2 m"])",
-       "[from, to] of x where it stands on the ground. Needed."},
-      {"load", "pressure", "q", "table of pressure", false, "0 kPa", -1e7, 1e7, R"("13 kPa")",
-       "Pressure on the ground: one value, a list [[time, pressure], …], or a CSV file. The factor of safety takes the "
-       "last."},
-      {"load", "spread", "", "angle", false, "0 deg", 0, 1.2, R"("30 deg")",
-       "Angle from the vertical over which it spreads with depth."},
-      {"load", "consolidation", "U", "ratio", false, "1", 0, 1, "1",
-       "Degree of consolidation under it; the rest is carried by the pore water of all layers."},
   };
 }
 

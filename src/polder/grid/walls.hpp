@@ -4,9 +4,9 @@
 // Each phase lives in a box of cells. What spline weights write beyond a wall is added to its mirror image (fold), and
 // what they read there is the mirror image (reflect): even for scalars, masses and, at a smooth wall, tangential
 // components; odd for the component normal to the wall and, at a fully rough wall, for the tangential ones too. At a
-// side that is open all is even: what lies beyond moves as what is inside. A side may be open in a part of it only.
-// Walls may move: then what is odd is so about the wall's velocity. Where the model is periodic along x, what lies
-// beyond one end is what is inside the other, and the faces on the two ends are the same ones.
+// side that is open, and at one that absorbs waves, all is even: what lies beyond moves as what is inside. A side may
+// be open in a part of it only. Walls may move: then what is odd is so about the wall's velocity. Where the model is
+// periodic along x, what lies beyond one end is what is inside the other, and the faces on the two ends are the same.
 #include <array>
 #include <limits>
 
@@ -14,7 +14,10 @@
 
 namespace polder {
 
-enum class WallKind { smooth, rough, open, periodic };
+enum class WallKind { smooth, rough, open, absorbing, periodic };
+
+/// Whether the component normal to a wall of this kind may be other than zero on it.
+constexpr bool moves(WallKind kind) { return kind == WallKind::open || kind == WallKind::absorbing; }
 
 struct PhaseBox {
   std::array<int, 3> low{0, 0, 0};                ///< first cell inside, per axis
@@ -71,7 +74,7 @@ void over_mirrors(int component, bool motion, const PhaseBox& box, const Lattice
         over_plane(lattice, axis, [&](std::ptrdiff_t at, const auto&) { body(at + ghost, at + image, 1.0, 0.0); });
         continue;
       }
-      const bool odd = normal ? kind != WallKind::open : kind == WallKind::rough;
+      const bool odd = normal ? !moves(kind) : kind == WallKind::rough;
       const double sign = motion && odd ? -1.0 : 1.0;
       const double twice = motion && odd && component >= 0 ? 2 * box.velocity[axis][side][component] : 0.0;
       // faces normal to the wall sit on it and mirror about it; everything else is half a cell off
@@ -138,8 +141,37 @@ void clear_beyond(Array& field, int component, const PhaseBox& box, const Lattic
                        [&](std::ptrdiff_t ghost, std::ptrdiff_t, double, double) { field[ghost] = 0; });
 }
 
-/// Fills what lies beyond the walls with its mirror image. Arguments as for fold(); `moving`: a velocity, which the
-/// walls' own counts for, and not a difference of velocities.
+namespace detail {
+
+/// Calls body(ghost, face on the wall, image) for the component normal to walls that absorb waves.
+template <class Space, class Body>
+void over_absorbing(int component, const PhaseBox& box, const Lattice<Space>& lattice, Body&& body) {
+  if (component < 0) return;
+  const std::ptrdiff_t s = lattice.stride[component], origin = Lattice<Space>::ghost_low * s;
+  for (int side = 0; side < 2; ++side) {
+    if (box.wall[component][side] != WallKind::absorbing) continue;
+    const std::ptrdiff_t on = origin + (side == 0 ? box.low[component] : box.high[component]) * s;
+    const std::ptrdiff_t out = side == 0 ? -s : s;
+    over_plane(lattice, component,
+               [&](std::ptrdiff_t at, const auto&) { body(at + on + out, at + on, at + on - out); });
+  }
+}
+
+}  // namespace detail
+
+/// Before fold(), for forces: what they do beyond a wall that absorbs waves to motion that goes on linearly there, so
+/// that what holds the wall acts on its own faces alone.
+template <class Space>
+void release_forces(Array& field, int component, const PhaseBox& box, const Lattice<Space>& lattice) {
+  detail::over_absorbing(component, box, lattice, [&](std::ptrdiff_t ghost, std::ptrdiff_t on, std::ptrdiff_t image) {
+    field[on] += 2 * field[ghost];
+    field[image] -= field[ghost];
+    field[ghost] = 0;
+  });
+}
+
+/// Fills what lies beyond the walls with its mirror image; across a wall that absorbs waves, motion goes on linearly.
+/// Arguments as for fold(); `moving`: a velocity, which the walls' own counts for, and not a difference of velocities.
 template <class Space>
 void reflect(Array& field, int component, bool motion, const PhaseBox& box, const Lattice<Space>& lattice,
              bool moving = false) {
@@ -150,6 +182,10 @@ void reflect(Array& field, int component, bool motion, const PhaseBox& box, cons
                          field[ghost] = sign * field[image];
                          if (moving) field[ghost] += twice;
                        });
+  if (motion)
+    detail::over_absorbing(component, box, lattice, [&](std::ptrdiff_t ghost, std::ptrdiff_t on, std::ptrdiff_t image) {
+      field[ghost] = 2 * field[on] - field[image];
+    });
 }
 
 /// Where the model is periodic, copies what the cells on either end hold to the ghosts beyond the other.

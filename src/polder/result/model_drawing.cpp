@@ -91,6 +91,21 @@ void draw_monitors(Drawing& drawing, const Panel& panel, const Model& model, std
   }
 }
 
+/// Where later stages dig, fill and convert.
+void draw_changes(Drawing& drawing, const Panel& panel, const Model& model) {
+  for (const GroundChange& change : model.changes)
+    drawing.add(region_path(panel, change.region, std::nullopt, Stroke{ink::soft, 1.4, {5, 3}}));
+}
+
+void draw_wells(Drawing& drawing, const Panel& panel, const Model& model, std::size_t up) {
+  for (const Well& well : model.wells) {
+    const Point2 from = panel.at(well.at.front()[0], well.at.front()[up]);
+    const Point2 to = panel.at(well.at.back()[0], well.at.back()[up]);
+    if (well.at.size() > 1) drawing.line(from, to, Stroke{ink::water_line, 3, {2, 2}});
+    drawing.add(Disc{from, 4.5, rgb(0xffffff), Stroke{ink::water_line, 2, {}}});
+  }
+}
+
 void draw_walls(Drawing& drawing, const Panel& panel, const Model& model, std::size_t up) {
   for (const WallInput& wall : model.walls) {
     if (!wall.polygon.empty()) {
@@ -143,6 +158,10 @@ std::vector<Entry> legend_entries(const Model& model, const std::vector<Colour>&
     entries.push_back({striped_swatch, ink::water_line, "reservoir (head held)"});
   if (any([](const Boundary& b) { return b.water == WaterCondition::open; }))
     entries.push_back({heavy_dashes, ink::water_line, "open to water"});
+  if (any([](const Boundary& b) { return b.soil == SoilCondition::absorbing; }))
+    entries.push_back({absorbing_sample, ink::axis, "ground goes on (absorbing)"});
+  if (!model.wells.empty()) entries.push_back({well_sample, ink::water_line, "well, drain"});
+  if (!model.changes.empty()) entries.push_back({change_sample, ink::soft, "changed by a later stage"});
   const auto gates = std::count_if(model.walls.begin(), model.walls.end(), is_gate);
   if (static_cast<std::size_t>(gates) < model.walls.size()) entries.push_back({wall_sample, ink::wall, "wall"});
   if (gates > 0) entries.push_back({gate_sample, ink::wall, "gate (vanishes)"});
@@ -229,7 +248,9 @@ Drawing draw_model(const Model& model, const ModelStyle& style) {
   draw_bodies(drawing, panel, model, colours, up);
   drawing.rectangle(panel.x, panel.y, panel.width, panel.height, {}, Stroke{ink::axis, 1, {}});
   for (const Boundary& boundary : model.boundaries) draw_boundary(drawing, panel, boundary);
+  draw_changes(drawing, panel, model);
   draw_walls(drawing, panel, model, up);
+  draw_wells(drawing, panel, model, up);
   draw_monitors(drawing, panel, model, up);
 
   // The scales stand outside the symbols of the sides.

@@ -67,6 +67,23 @@ void draw_hatch(Drawing& drawing, const Edge& edge) {
   drawing.line(edge.from, edge.to, Stroke{ink::wall, 2, {}});
 }
 
+// The piston and the pot of a dashpot, again and again.
+void draw_dashpots(Drawing& drawing, const Edge& edge) {
+  constexpr double spacing = 40;
+  const Stroke stroke{ink::axis, 1.1, {}};
+  const int count = std::max(1, static_cast<int>(edge.length() / spacing));
+  for (int i = 0; i < count; ++i) {
+    const double at = (i + 0.5) * edge.length() / count;
+    const auto point = [&](double beside, double out) {
+      return moved(edge.from, edge.along(), at + beside, edge.out, out);
+    };
+    drawing.line(point(0, 0), point(0, 6), stroke);
+    drawing.line(point(-3, 6), point(3, 6), stroke);
+    drawing.add(Path{{point(-5, 3), point(-5, 10), point(5, 10), point(5, 3)}, false, {}, stroke});
+    drawing.line(point(0, 10), point(0, 14), stroke);
+  }
+}
+
 // Parallel lines at 45° inside a polygon, by the even-odd rule.
 void draw_stripes(Drawing& drawing, const std::vector<Point2>& polygon, const Stroke& stroke) {
   constexpr double spacing = 9;
@@ -104,6 +121,7 @@ void draw_boundary(Drawing& drawing, const Panel& panel, const Boundary& boundar
   if (edge.length() == 0) return;
   if (boundary.soil == SoilCondition::roller) draw_rollers(drawing, edge);
   if (boundary.soil == SoilCondition::rough) draw_hatch(drawing, edge);
+  if (boundary.soil == SoilCondition::absorbing) draw_dashpots(drawing, edge);
   if (boundary.water == WaterCondition::open) drawing.line(edge.from, edge.to, Stroke{ink::water_line, 3, {8, 5}});
 }
 
@@ -185,6 +203,18 @@ void roller_sample(Drawing& drawing, double x, double y, const Colour& colour) {
 
 void hatch_sample(Drawing& drawing, double x, double y, const Colour&) {
   draw_hatch(drawing, {{x, y - 4}, {x + 22, y - 4}, {0, 1}});
+}
+
+void absorbing_sample(Drawing& drawing, double x, double y, const Colour&) {
+  draw_dashpots(drawing, {{x, y - 6}, {x + 22, y - 6}, {0, 1}});
+}
+
+void well_sample(Drawing& drawing, double x, double y, const Colour& colour) {
+  drawing.add(Disc{{x + 11, y}, 4.5, rgb(0xffffff), Stroke{colour, 2, {}}});
+}
+
+void change_sample(Drawing& drawing, double x, double y, const Colour& colour) {
+  drawing.rectangle(x, y - 6, 22, 12, {}, Stroke{colour, 1.4, {5, 3}});
 }
 
 }  // namespace polder

@@ -30,5 +30,8 @@ void wall_sample(Drawing& drawing, double x, double y, const Colour& colour);
 void gate_sample(Drawing& drawing, double x, double y, const Colour& colour);
 void roller_sample(Drawing& drawing, double x, double y, const Colour& colour);
 void hatch_sample(Drawing& drawing, double x, double y, const Colour& colour);
+void absorbing_sample(Drawing& drawing, double x, double y, const Colour& colour);
+void well_sample(Drawing& drawing, double x, double y, const Colour& colour);
+void change_sample(Drawing& drawing, double x, double y, const Colour& colour);
 
 }  // namespace polder

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "polder/case/geometry.hpp"
 #include "polder/result/ground_stress.hpp"
@@ -172,7 +173,9 @@ Energies energies(const Simulation<Space>& run) {
 }
 
 template <class Space>
-Monitors<Space>::Monitors(const Simulation<Space>& run) : model_(run.model()) {
+Monitors<Space>::Monitors(const Simulation<Space>& run, const std::vector<std::uint64_t>& followed)
+    : model_(run.model()) {
+  const std::uint64_t placed = first_placed_id(model_, run.state().setup.lattice);
   const std::string volume = Space::axes == 3 ? "m3" : "m2", energy = Space::axes == 3 ? "J" : "J/m";
   columns_ = {{"time step", "s"},
               {"soil kinetic energy", energy},
@@ -198,7 +201,8 @@ Monitors<Space>::Monitors(const Simulation<Space>& run) : model_(run.model()) {
       if (monitor.quantity == "eroded-area") before_.back() = soil_columns(run, monitor.region, true);
       if (monitor.quantity == "settlement") {
         for (std::size_t p = 0; p < soil.size(); ++p)
-          if (inside<Space>(monitor.region, reference(soil, p))) members_.back().push_back(soil.id[p]);
+          if (soil.id[p] < placed && inside<Space>(monitor.region, reference(soil, p)))
+            members_.back().push_back(soil.id[p]);
         std::sort(members_.back().begin(), members_.back().end());
       }
       for (const auto& part : parts_of<Space>(monitor)) columns_.push_back({monitor.name + part.suffix, part.unit});
@@ -207,13 +211,23 @@ Monitors<Space>::Monitors(const Simulation<Space>& run) : model_(run.model()) {
     }
     for (std::size_t i = 0; i < monitor.at.size(); ++i) {
       const bool point = monitor.kind == MonitorKind::point && soil.size() > 0;
-      followers_.push_back({&monitor, i, point ? soil.id[nearest(soil.reference, soil.id, monitor.at[i])] : 0,
-                            point && monitor.follows_soil});
+      const std::size_t number_of = followers_.size();
+      const std::uint64_t id = !point                        ? 0
+                               : number_of < followed.size() ? followed[number_of]
+                                                             : soil.id[nearest(soil.reference, soil.id, monitor.at[i])];
+      followers_.push_back({&monitor, i, id, point && monitor.follows_soil});
       const std::string number = monitor.at.size() > 1 ? fmt::format(" {}", i + 1) : "";
       for (const auto& part : parts_of<Space>(monitor))
         columns_.push_back({monitor.name + number + part.suffix, part.unit});
     }
   }
+}
+
+template <class Space>
+std::vector<std::uint64_t> Monitors<Space>::followed() const {
+  std::vector<std::uint64_t> ids;
+  for (const Follower& follower : followers_) ids.push_back(follower.soil_id);
+  return ids;
 }
 
 template <class Space>
@@ -236,9 +250,12 @@ std::vector<double> Monitors<Space>::sample(const Simulation<Space>& run, double
       const double v = solid_volume(run, p);
       total += v;
       moved += v * displacement(soil, p);
-      const bool in = std::any_of(model_.soils.begin(), model_.soils.end(), [&](const SoilBody& body) {
-        return inside<Space>(body.region, position_of(soil, p));
-      });
+      const auto within = [&](const Region& region) { return inside<Space>(region, position_of(soil, p)); };
+      const bool in = std::any_of(model_.soils.begin(), model_.soils.end(),
+                                  [&](const SoilBody& body) { return within(body.region); }) ||
+                      std::any_of(model_.changes.begin(), model_.changes.end(), [&](const GroundChange& change) {
+                        return change.kind == ChangeKind::place && within(change.region);
+                      });
       if (!in) outside += v;
       if (soil.fluid[p]) fluid += v / (1 - soil.porosity[p]);
       loosest = std::max(loosest, soil.porosity[p]);
@@ -298,9 +315,14 @@ std::vector<double> Monitors<Space>::sample(const Simulation<Space>& run, double
       row.push_back(sum);
     } else {
       std::size_t p = 0;
-      if (follower.follows)
-        p = std::lower_bound(by_id.begin(), by_id.end(), std::pair{follower.soil_id, std::size_t{0}})->second;
-      else if (soil.size() > 0)
+      if (follower.follows) {
+        const auto at = std::lower_bound(by_id.begin(), by_id.end(), std::pair{follower.soil_id, std::size_t{0}});
+        if (at == by_id.end() || at->first != follower.soil_id) {  // it was excavated
+          row.insert(row.end(), parts_of<Space>(monitor).size(), std::numeric_limits<double>::quiet_NaN());
+          continue;
+        }
+        p = at->second;
+      } else if (soil.size() > 0)
         p = nearest(soil.position, soil.id, monitor.at[follower.place]);
       sample_point(run, monitor, monitor.at[follower.place], p, row);
     }

@@ -18,8 +18,12 @@ Energies energies(const Simulation<Space>& run);
 template <class Space>
 class Monitors {
  public:
-  /// Fixes which points the monitors follow. Before the first step of the event (after the initial stages).
-  explicit Monitors(const Simulation<Space>& run);
+  /// Fixes which points the monitors follow. Before the first step of the event (after the initial stages). A run that
+  /// goes on gives what followed() was then, since the ground may have changed.
+  explicit Monitors(const Simulation<Space>& run, const std::vector<std::uint64_t>& followed = {});
+
+  /// Ids of the soil points that the monitors' places follow, in their order.
+  std::vector<std::uint64_t> followed() const;
 
   const std::vector<HistoryColumn>& columns() const { return columns_; }
   std::vector<double> sample(const Simulation<Space>& run, double dt) const;

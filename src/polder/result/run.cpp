@@ -139,7 +139,8 @@ class Run {
   /// Opens history and monitors at the first moment of the event.
   void open_results() {
     keep_case_papers();
-    monitors_ = std::make_unique<Monitors<Space>>(*simulation_);
+    monitors_ = std::make_unique<Monitors<Space>>(*simulation_, output_.followed);
+    output_.followed = monitors_->followed();
     const auto path = folder_.path() / "history.csv";
     const bool again = options_.resume && output_.history_rows > 0;
     if (again)
@@ -159,12 +160,21 @@ class Run {
       number = static_cast<std::uint64_t>(t / interval * (1 + round_off)) + 1;
       return true;
     };
-    if (due(output_.next_history, model_.output.history_interval)) {
+    // where a stage has intervals of its own, counting goes on with its next multiple
+    const Stage& stage = model_.stages[std::min<std::size_t>(simulation_->stage_number(), model_.stages.size() - 1)];
+    const auto change = [&](double& interval, std::optional<double> own, double general, std::uint64_t& number) {
+      const double now = own.value_or(general);
+      if (interval > 0 && now != interval) number = static_cast<std::uint64_t>(std::ceil(t / now * (1 - round_off)));
+      interval = now;
+    };
+    change(history_interval_, stage.history_interval, model_.output.history_interval, output_.next_history);
+    change(snapshot_interval_, stage.snapshot_interval, model_.output.snapshot_interval, output_.next_snapshot);
+    if (due(output_.next_history, history_interval_)) {
       const auto row = monitors_->sample(*simulation_, output_.last_dt);
       history_->append(t, row);
       output_.history_rows = history_->rows();
     }
-    bool snapshot = due(output_.next_snapshot, model_.output.snapshot_interval);
+    bool snapshot = due(output_.next_snapshot, snapshot_interval_);
     std::optional<double> picture;
     while (output_.next_picture < model_.output.pictures.size() &&
            t >= model_.output.pictures[output_.next_picture] * (1 - round_off))
@@ -231,6 +241,10 @@ class Run {
     s.maxima = {{"speed", fastest_},
                 {"pressure_at_end", *std::max_element(p.begin(), p.end())},
                 {"underfilled_cells", audit.underfilled_most}};
+    if (!model_.changes.empty()) {
+      s.maxima["placed_mass"] = audit.solid_in;
+      s.maxima["excavated_mass"] = audit.solid_out;
+    }
     if (state.soil.size() > 0)
       s.maxima["porosity_at_end"] = *std::max_element(state.soil.porosity.begin(), state.soil.porosity.end());
     for (const Kernel& kernel : kernels) s.kernel_seconds[kernel.key] = state.times.*kernel.seconds;
@@ -252,6 +266,7 @@ class Run {
   OutputState output_;
   Summary summary_;
   std::string resumed_from_, refused_;
+  double history_interval_ = 0, snapshot_interval_ = 0;  ///< s, of the stage; 0: not begun
   double begin_ = 0, end_ = 0, point_steps_ = 0, fastest_ = 0, start_wall_ = 0;
   std::uint64_t start_step_ = 0;
 };

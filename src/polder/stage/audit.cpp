@@ -95,11 +95,7 @@ void Audit<Space>::take(const Stepper<Space>& state, double dt) {
     section.most = std::max(section.most, std::abs(section.passed));
   }
 
-  for (const Exchange& exchange : state.exchanged) {
-    (exchange.volume > 0 ? water_in : water_out) += std::abs(exchange.volume);
-    for (auto& section : sections_)
-      if (lattice.place(exchange.cell, section.axis) >= section.face) section.exchanged += exchange.volume;
-  }
+  for (const Exchange& exchange : state.exchanged) book(state, exchange);
 
   std::size_t wet = 0, over = 0, inside = 0, under = 0;
   const std::ptrdiff_t rows = lattice.row_count();
@@ -132,8 +128,25 @@ void Audit<Space>::take(const Stepper<Space>& state, double dt) {
 }
 
 template <class Space>
+void Audit<Space>::take(const Stepper<Space>& state, const ChangedMass& changed) {
+  solid_in += changed.solid_in;
+  solid_out += changed.solid_out;
+  for (const Exchange& exchange : changed.water) book(state, exchange);
+}
+
+/// Sections count what is beyond them from their first step on.
+template <class Space>
+void Audit<Space>::book(const Stepper<Space>& state, const Exchange& exchange) {
+  (exchange.volume > 0 ? water_in : water_out) += std::abs(exchange.volume);
+  for (auto& section : sections_)
+    if (steps > 0 && state.setup.lattice.place(exchange.cell, section.axis) >= section.face)
+      section.exchanged += exchange.volume;
+}
+
+template <class Space>
 double Audit<Space>::solid_error_of(double mass) const {
-  return solid_at_start_ > 0 ? std::abs(mass / solid_at_start_ - 1) : 0;
+  const double most = solid_at_start_ + solid_in;
+  return most > 0 ? std::abs(mass - solid_at_start_ - solid_in + solid_out) / most : 0;
 }
 
 template <class Space>

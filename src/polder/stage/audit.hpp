@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "polder/case/model.hpp"
-#include "polder/step/stepper.hpp"
+#include "polder/stage/ground_changes.hpp"
 
 namespace polder {
 
@@ -26,6 +26,8 @@ class Audit {
 
   /// After a step.
   void take(const Stepper<Space>& state, double dt);
+  /// After the ground was changed between two steps.
+  void take(const Stepper<Space>& state, const ChangedMass& changed);
 
   double solid_mass_error(const Stepper<Space>& state) const;     ///< relative
   double water_balance_error(const Stepper<Space>& state) const;  ///< (stored − initial − in + out)/initial
@@ -49,6 +51,8 @@ class Audit {
     archive("audit/steps", steps);
     archive("audit/water_in", water_in);
     archive("audit/water_out", water_out);
+    archive("audit/solid_in", solid_in);
+    archive("audit/solid_out", solid_out);
     for (std::size_t i = 0; i < sections_.size(); ++i) {
       const std::string name = "audit/section" + std::to_string(i) + "/";
       archive(name + "beyond_at_start", sections_[i].beyond_at_start);
@@ -65,6 +69,7 @@ class Audit {
   std::uint64_t pressure_iterations = 0, volume_iterations = 0;
   std::uint64_t steps = 0;
   double water_in = 0, water_out = 0;  ///< m³
+  double solid_in = 0, solid_out = 0;  ///< kg, by changes of the ground
 
  private:
   struct Section {
@@ -75,6 +80,7 @@ class Audit {
     double passed = 0, passed_before = 0, most = 0;  ///< ∫ flux dt: after the last step, before it, largest so far
   };
   double water_beyond(const Stepper<Space>& state, const Section& section) const;
+  void book(const Stepper<Space>& state, const Exchange& exchange);
 
   std::vector<Section> sections_;
   std::array<double, 3> spacing_{1, 1, 1};

@@ -105,7 +105,8 @@ struct Reader {
     if constexpr (std::is_arithmetic_v<T>) {
       stored.read(&value, 1);
     } else {
-      if (name.starts_with("soil/") || name.starts_with("water/")) value.resize(stored.length());
+      if (name.starts_with("soil/") || name.starts_with("water/") || name == "output/followed")
+        value.resize(stored.length());
       stored.read(value.data(), value.size());
     }
   }
@@ -119,6 +120,7 @@ void each_output(OutputState& output, Archive&& archive) {
   archive("output/next_picture", output.next_picture);
   archive("output/wall_seconds", output.wall_seconds);
   archive("output/last_dt", output.last_dt);
+  archive("output/followed", output.followed);
 }
 
 /// A file of HDF5's that lives in memory.

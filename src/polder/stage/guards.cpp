@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polder/case/ground_load.hpp"
 #include "polder/stage/sound.hpp"
+#include "polder/step/far_field.hpp"
 #include "polder/step/soil_volume.hpp"
 
 namespace polder {
@@ -151,12 +153,16 @@ void Guards<Space>::add_work(const Stepper<Space>& state, double time, double dt
     const double height = (lattice.place(exchange.cell, up) + 1) * lattice.spacing[up];
     work_ += exchange.volume * (rho * (g * height + 0.5 * square) + std::max(0.0, state.grid.pressure[exchange.cell]));
   }
+  if (state.setup.any_absorbs()) work_ += far_work(state.setup, state.grid, dt);
   if (state.setup.loads.empty()) return;
   const double area = lattice.face_area(up) / std::pow(state.setup.points_per_axis, Space::axes - 1);
+  const double width = lattice.spacing[0] / state.setup.points_per_axis;
   const auto& soil = state.soil;
   for (std::size_t p = 0; p < soil.size(); ++p)
     if (soil.load[p] > 0)
-      work_ += std::max(0.0, -soil.velocity[up][p]) * dt * area * std::abs(state.setup.loads[soil.load[p] - 1](time));
+      work_ += std::max(0.0, -soil.velocity[up][p]) * dt * area *
+               std::abs(pressure_on(state.setup.loads[soil.load[p] - 1], time, soil.position[0][p],
+                                    soil.reference[0][p], width));
 }
 
 template <class Space>

@@ -65,13 +65,22 @@ double deepest_pressure(const Model& model) {
 
 }  // namespace
 
-double earth_pressure_at_rest(const MaterialInput& material) {
+namespace {
+
+/// The law's parameter of this name, or `otherwise` where the law has none.
+double parameter(const MaterialInput& material, std::string_view key, double otherwise) {
   const LawDescription* law = find_soil_law(material.law);
-  double nu = 0.3, phi = 0;
-  for (std::size_t k = 0; k < law->parameters.size(); ++k) {
-    if (law->parameters[k].key == "poisson_ratio") nu = material.law_parameters[k];
-    if (law->parameters[k].key == "friction_angle") phi = material.law_parameters[k];
-  }
+  for (std::size_t k = 0; k < law->parameters.size(); ++k)
+    if (law->parameters[k].key == key) return material.law_parameters[k];
+  return otherwise;
+}
+
+double poisson_ratio(const MaterialInput& material) { return parameter(material, "poisson_ratio", 0.3); }
+
+}  // namespace
+
+double earth_pressure_at_rest(const MaterialInput& material) {
+  const double nu = poisson_ratio(material), phi = parameter(material, "friction_angle", 0);
   return phi > 0 ? 1 - std::sin(phi) : nu / (1 - nu);
 }
 
@@ -110,7 +119,8 @@ Setup<Space> make_setup(const Model& model) {
     for (int a = 0; a < Space::axes; ++a) box->high[a] = cells[a];
   if (model.periodic)
     for (PhaseBox* box : {&setup.soil_box, &setup.water_box}) box->wall[0] = {WallKind::periodic, WallKind::periodic};
-  for (const GroundLoad& load : model.loads) setup.loads.push_back(load.pressure);
+  setup.loads = model.loads;
+  setup.rains = model.rains;
   for (const Boundary& boundary : model.boundaries) {
     if (boundary.side && (boundary.water == WaterCondition::head || boundary.water == WaterCondition::inflow)) {
       const auto [axis, end] = side_of<Space>(*boundary.side);
@@ -136,6 +146,8 @@ Setup<Space> make_setup(const Model& model) {
     if (boundary.side) {
       const auto [axis, end] = side_of<Space>(*boundary.side);
       if (boundary.soil == SoilCondition::rough) setup.soil_box.wall[axis][end] = WallKind::rough;
+      if (boundary.soil == SoilCondition::absorbing)
+        setup.soil_box.wall[axis][end] = setup.water_box.wall[axis][end] = WallKind::absorbing;
     } else {
       place_soil_wall(model, boundary, setup);
     }
@@ -151,6 +163,8 @@ Setup<Space> make_setup(const Model& model) {
     material.initial_porosity = input.porosity;
     material.max_porosity = input.max_porosity;
     material.fixed = input.fixed;
+    const double nu = poisson_ratio(input);
+    material.shear_share = (1 - 2 * nu) / (2 * (1 - nu));
     for (int d = 0; d < 2; ++d) {
       DragInput drag{input.drag,
                      input.ergun_a,

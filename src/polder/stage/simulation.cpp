@@ -20,18 +20,12 @@ template <class Space>
 Stepper<Space> make_stepper(const Model& model, int threads) {
   Setup<Space> setup = make_setup<Space>(model);
   SeededPoints<Space> points = seed_points<Space>(model, setup.lattice);
-  mark_loaded_points(model, setup.lattice, points.soil);
+  mark_loaded_points(model, setup.lattice, -1, points.soil);
   if (model.initial_stress == InitialStress::k0 && model.unsaturated)
     set_unsaturated_k0_stress(model, setup, points.soil);
   else if (model.initial_stress == InitialStress::k0)
     set_k0_stress(model, setup, points.soil);
-  for (std::size_t p = 0; p < points.soil.size(); ++p) {
-    std::array<double, StressBatch<4>::max_state> state{};
-    const double mean = -(points.soil.stress[0][p] + points.soil.stress[1][p] + points.soil.stress[2][p]) / 3;
-    setup.materials[points.soil.material[p]].law->initial_state(mean, points.soil.porosity[p],
-                                                                std::span(state).subspan(1));
-    for (std::size_t s = 1; s < state.size(); ++s) points.soil.state[s][p] = state[s];
-  }
+  start_law_state(setup, 0, points.soil);
   return Stepper<Space>(std::move(setup), std::move(points.soil), std::move(points.water), threads);
 }
 
@@ -42,7 +36,18 @@ Simulation<Space>::Simulation(const Model& model, int threads)
     : model_(model), stepper_(make_stepper<Space>(model, threads)), audit_(model, stepper_), guards_(stepper_) {
   for (const Stage& stage : model_.stages)
     (stage.initial ? time_ : end_time_) += stage.initial ? -stage.duration : stage.duration;
+  set_numerics();
   raise_walls();
+}
+
+/// What the stage says of the method, and the wells that are there.
+template <class Space>
+void Simulation<Space>::set_numerics() {
+  if (finished()) return;
+  stepper_.setup.wells = make_wells(model_, stepper_.setup.lattice, stage_);
+  Numerics& numerics = stepper_.setup.numerics;
+  numerics.mass_scaling = stage()->mass_scaling.value_or(model_.numerics.mass_scaling);
+  numerics.step_stretch = stage()->step_stretch.value_or(model_.numerics.step_stretch);
 }
 
 /// The walls that stand now; gates whose time has come vanish.
@@ -54,6 +59,7 @@ void Simulation<Space>::raise_walls() {
   standing_ = std::move(now);
   stepper_.setup.walls = make_thin_walls(model_, stepper_.setup.lattice, standing_);
   stepper_.setup.bodies = make_bodies(model_, stepper_.setup.lattice, standing_);
+  stepper_.setup.friction = friction_faces(model_, stepper_.setup.lattice, standing_);
 }
 
 /// s until the next gate vanishes: a step ends there.
@@ -74,6 +80,7 @@ StepReport Simulation<Space>::advance() {
   control.local_damping = stage.local_damping;
   control.hold_water = stage.hold_water;
   control.body_force = body_force;
+  control.event = !stage.initial;
   if (stage.ramp > 0) control.gravity_factor = std::min(1.0, time_in_stage_ / stage.ramp);
 
   guards_.before_step(stepper_, time_);
@@ -117,7 +124,12 @@ void Simulation<Space>::end_stage() {
   ++stage_;
   time_in_stage_ = 0;
   if (stepper_.unsaturated) stepper_.unsaturated->begin_stage();
-  if (!was_initial || (!finished() && model_.stages[stage_].initial)) return;
+  if (was_initial && (finished() || !model_.stages[stage_].initial)) begin_event();
+  if (!finished()) begin_stage();
+}
+
+template <class Space>
+void Simulation<Space>::begin_event() {
   auto& soil = stepper_.soil;
   for (auto& v : soil.velocity) std::fill(v.begin(), v.end(), 0.0);
   std::fill(soil.deviatoric_strain.begin(), soil.deviatoric_strain.end(), 0.0);
@@ -126,6 +138,18 @@ void Simulation<Space>::end_stage() {
   time_ = 0;
   audit_ = Audit<Space>(model_, stepper_);
   guards_.begin_event(stepper_);
+}
+
+template <class Space>
+void Simulation<Space>::begin_stage() {
+  set_numerics();
+  const auto stage = static_cast<int>(stage_);
+  if (std::any_of(model_.changes.begin(), model_.changes.end(),
+                  [&](const GroundChange& c) { return c.stage == stage; })) {
+    audit_.take(stepper_, change_ground(model_, stage_, stepper_));
+    guards_.begin_event(stepper_);
+  }
+  mark_loaded_points(model_, stepper_.setup.lattice, stage, stepper_.soil);
 }
 
 template <class Space>

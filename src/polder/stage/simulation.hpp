@@ -42,6 +42,7 @@ class Simulation {
   /// After each_state() has restored the values.
   void restored() {
     stepper_.restored();
+    set_numerics();
     raise_walls();
   }
 
@@ -60,6 +61,9 @@ class Simulation {
 
  private:
   void end_stage();
+  void begin_event();
+  void begin_stage();
+  void set_numerics();
   void raise_walls();
   double to_next_gate() const;
 

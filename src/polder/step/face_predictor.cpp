@@ -91,6 +91,37 @@ bool all_above(const double* value, double bound) {
   return above;
 }
 
+/// Pa s/m over m: the dashpots of absorbing sides beside a cell against motion along them, per volume.
+template <class Space>
+double impedance_along(const Setup<Space>& setup, const GridFields<Space>& grid, int c, std::ptrdiff_t cell,
+                       const std::array<int, 3>& at, int i) {
+  const auto& lattice = setup.lattice;
+  double sum = 0;
+  for (int a = 0; a < Space::axes; ++a) {
+    if (a == c) continue;
+    const int place = a == 0 ? at[0] + i : at[a];
+    const std::ptrdiff_t s = lattice.stride[a];
+    if (place == 0 && setup.absorbs(a, 0)) sum += grid.far_impedance[1][cell - s] / lattice.spacing[a];
+    if (place == lattice.cells[a] - 1 && setup.absorbs(a, 1))
+      sum += grid.far_impedance[1][cell + s] / lattice.spacing[a];
+  }
+  return sum;
+}
+
+/// A face on an absorbing side: grains and water move as one, under what is more than at rest, against the dashpot.
+/// Mw is the density of the water per volume; `outside` the cell beyond.
+template <class Space>
+FaceState far_state(const GridFields<Space>& grid, int c, std::ptrdiff_t f, std::ptrdiff_t outside, double area,
+                    double volume, double Mw, double g, double dt, bool vertical, double water_before) {
+  const double Ms = grid.soil_mass[c][f] / volume, M = Ms + Mw;
+  double force = grid.soil_force[c][f] + grid.far_force[c][f];
+  if (vertical) force -= g * M * volume;
+  const double resisted = 1 + dt * grid.far_impedance[0][outside] * area / (volume * M);
+  const double v = ((Ms * grid.soil_before[c][f] + Mw * water_before) / M + dt * force / (volume * M)) / resisted;
+  const double response = -dt / M / resisted;
+  return {v, v, response, response};
+}
+
 }  // namespace
 
 template <class Space>
@@ -146,6 +177,8 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
   const bool all_fixed = !setup.materials.empty() &&
                          std::all_of(setup.materials.begin(), setup.materials.end(), [](auto& m) { return m.fixed; });
 
+  const bool far_field = control.event && setup.any_absorbs();
+
   for (int c = 0; c < Space::axes; ++c) {
     const std::ptrdiff_t s = lattice.stride[c];
     const bool vertical = c == Space::up, joined = setup.soil_box.periodic(c);
@@ -163,10 +196,11 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
     const double* carried = grid.carried_mass[c].data();
     const double* discharge = grid.discharge[c].data();
     const OpenSide* opening[2] = {setup.open_side(c, 0), setup.open_side(c, 1)};
+    const bool far_across[2] = {far_field && setup.absorbs(c, 0), far_field && setup.absorbs(c, 1)};
     std::uint8_t* reached = grid.reached[c].data();
 
     const bool plain = one_material && !all_fixed && !setup.single_point && !control.hold_water && !opening[0] &&
-                       !opening[1] && !setup.walls.any() && !setup.bodies.any();
+                       !opening[1] && !setup.walls.any() && !setup.bodies.any() && !far_field;
     const auto free = [&](int place) {  // of the walls that close this component's faces
       return place > std::max(0, setup.soil_box.low[c]) && place < std::min(lattice.cells[c], setup.soil_box.high[c]);
     };
@@ -243,6 +277,9 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
           }
           soil *= 1 - std::min(1.0, control.damping * dt);
         }
+        if (far_field && has_soil)
+          soil /= 1 + dt * impedance_along(setup, grid, c, place < lattice.cells[c] ? f : low, at, i) * volume /
+                          soil_mass[f];
         if (pull != 0) water += dt * pull;
         water *= 1 - std::min(1.0, control.water_damping * dt);
 
@@ -250,11 +287,15 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
         // share
         const bool met = setup.bodies.closed(c, f) && !end && !setup.walls.blocked(c, f);
         if (met && vertical && has_water) soil += dt * g * rho_w / rho_s;
+        const bool far = end && has_soil && !all_fixed && far_across[place > 0];
         const bool soil_fixed = (wall && !met) || all_fixed ||
                                 (!joined && (place <= setup.soil_box.low[c] || place >= setup.soil_box.high[c]));
         const bool water_fixed = (wall && !(side && side->prescribes_head)) || (control.hold_water && !vertical);
         FaceState state{0, 0, 0, 0};
-        if (met) {
+        if (far) {
+          state = far_state(grid, c, f, place == 0 ? low : f, lattice.face_area(c), volume, n * rho_w * S, g, dt,
+                            vertical, water_before[f]);
+        } else if (met) {
           state.soil = has_soil && !soil_fixed ? soil : 0;
         } else if (!has_soil) {
           if (!water_fixed) {
@@ -271,8 +312,8 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
                          water_fixed, soil_fixed, !has_water && !beside_wet);
         }
         if (side && !side->prescribes_head) state.water = -side->outward() * side->value(control.time) / n;
-        if (soil_fixed) before[f] = 0;
-        if (water_fixed) water_before[f] = 0;
+        if (soil_fixed && !far) before[f] = 0;
+        if (water_fixed && !far) water_before[f] = 0;
         if (end && !side && at_end[place > 0] != 0)  // a side that moves
           state.water = state.soil = before[f] = water_before[f] = at_end[place > 0];
         vw[f] = state.water;

@@ -82,6 +82,12 @@ struct GridFields {
   Array pressure;   ///< Pa, kept from step to step
   Array potential;  ///< ψ of the volume correction, m²
   Array owed;       ///< m³ that came in through open sides and is not yet in points; by the cell beyond the side
+  Array rain;       ///< m³ that has fallen and is not yet in points, by column; without rain empty
+  /// Of absorbing sides, without them empty: N and Pa that hold their faces at rest.
+  FaceField<Space> far_force;
+  Array far_pressure;                  ///< in the cells beyond
+  std::array<Array, 2> far_impedance;  ///< Pa s/m against motion across the side and along it; likewise
+  std::uint64_t far_is_known = 0;      ///< they have been taken
   AlignedVector<std::uint8_t> wet;
   std::array<AlignedVector<std::uint8_t>, 2> layer;  ///< scratch of extrapolations
   AlignedVector<std::uint8_t> soil_known;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polder/case/ground_load.hpp"
 #include "polder/step/chunk_loop.hpp"
 #include "polder/step/face_loop.hpp"
 #include "polder/step/gather.hpp"
@@ -214,9 +215,8 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
       if (setup.anisotropic) std::fill_n(field->begin() + first, count, 0.0);
   });
   const double cell_volume = lattice.cell_volume();
-  std::vector<double> load;  // N on one point
-  for (const Table& pressure : setup.loads)
-    load.push_back(pressure(time) * lattice.face_area(Space::up) / std::pow(setup.points_per_axis, Space::axes - 1));
+  const double loaded_area = lattice.face_area(Space::up) / std::pow(setup.points_per_axis, Space::axes - 1);
+  const double loaded_width = lattice.spacing[0] / setup.points_per_axis;
 
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     const Upcoming<Space> upcoming(lattice, soil.home, first, count);
@@ -255,13 +255,18 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
       contribution.template take_force<c>(lattice, soil, volume, first, count);
       scatter_component<c, true>(lattice, chunk, contribution, count, masses, momenta, forces);
     });
-    for (int l = 0; l < count && !load.empty(); ++l)
-      if (soil.load[first + l] > 0)
-        press_on(setup, soil, first + l, volume[l], load[soil.load[first + l] - 1], grid.soil_force[Space::up].data());
+    for (int l = 0; l < count && !setup.loads.empty(); ++l) {
+      const std::size_t p = first + l;
+      if (soil.load[p] == 0) continue;
+      const double pressure =
+          pressure_on(setup.loads[soil.load[p] - 1], time, soil.position[0][p], soil.reference[0][p], loaded_width);
+      press_on(setup, soil, p, volume[l], pressure * loaded_area, grid.soil_force[Space::up].data());
+    }
   });
 
   for (int c = 0; c < Space::axes; ++c) {
     fold_motion(grid.soil_mass[c], grid.soil_velocity[c], c, setup.soil_box, lattice);
+    release_forces(grid.soil_force[c], c, setup.soil_box, lattice);
     fold(grid.soil_force[c], c, true, setup.soil_box, lattice);
   }
   over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "polder/step/face_loop.hpp"
+#include "polder/step/far_field.hpp"
 
 namespace polder {
 
@@ -46,11 +47,13 @@ void assemble(const Setup<Space>& setup, const GridFields<Space>& grid, CellMatr
   });
 }
 
-/// The pressure beyond the sides with a head, on the right side of the equation.
+/// The pressure beyond the sides with a head, and beyond absorbing ones, on the right side of the equation.
 template <class Space, class Distance>
 void add_heads(const Setup<Space>& setup, const GridFields<Space>& grid, Distance&& distance, Array& right_side) {
   const auto& lattice = setup.lattice;
-  for (const OpenSide& side : setup.open_sides) {
+  std::vector<OpenSide> sides = far_sides(setup);
+  sides.insert(sides.end(), setup.open_sides.begin(), setup.open_sides.end());
+  for (const OpenSide& side : sides) {
     if (!side.prescribes_head) continue;
     const double scale = lattice.cell_volume() / (lattice.spacing[side.axis] * lattice.spacing[side.axis]);
     over_side(lattice, side,
@@ -129,8 +132,8 @@ void extrapolate_soil(const Setup<Space>& setup, GridFields<Space>& grid, Team& 
 }
 
 template <class Space>
-SolveResult project(const Setup<Space>& setup, double dt, GridFields<Space>& grid, PressureSolver<Space>& solver,
-                    Team& team) {
+SolveResult project(const Setup<Space>& setup, double dt, const std::vector<WellFlow>& wells, GridFields<Space>& grid,
+                    PressureSolver<Space>& solver, Team& team) {
   const auto& lattice = setup.lattice;
   const double theta = setup.numerics.pressure_weight, earlier = (1 - theta) / theta;
   const double storage = lattice.cell_volume() / (setup.water.bulk_modulus * dt * theta * theta);
@@ -164,6 +167,10 @@ SolveResult project(const Setup<Space>& setup, double dt, GridFields<Space>& gri
     }
   });
   add_heads(setup, grid, distance, solver.right_side);
+  for (const WellFlow& well : wells) {
+    solver.matrix.diagonal[well.cell] += well.conductance;
+    solver.right_side[well.cell] += well.conductance * well.level - well.rate;
+  }
   const SolveResult result = solver.solve(grid.rows, grid.pressure, setup.numerics.pressure_tolerance, 400, team);
   join_ends(grid.pressure, setup.water_box, lattice);
 
@@ -198,7 +205,9 @@ void extrapolate_water(const Setup<Space>& setup, GridFields<Space>& grid, FaceF
     double* v = field[c].data();
     const OpenSide* open[2] = {setup.open_side(c, 0), setup.open_side(c, 1)};
     const bool joined = setup.water_box.periodic(c);
-    const auto closed = [&](int end, int along) { return !joined && (!open[end] || !open[end]->part.covers(along)); };
+    const auto closed = [&](int end, int along) {
+      return !joined && (!open[end] || !open[end]->part.covers(along)) && !setup.absorbs(c, end);
+    };
     // a velocity is that of the wall there, a shift none
     const double at_wall[2] = {keep_ballistic ? setup.wall_velocity(c, 0) : 0,
                                keep_ballistic ? setup.wall_velocity(c, 1) : 0};
@@ -285,9 +294,10 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
   return result;
 }
 
-template SolveResult project(const Setup<PlaneStrain>&, double, GridFields<PlaneStrain>&, PressureSolver<PlaneStrain>&,
-                             Team&);
-template SolveResult project(const Setup<Solid>&, double, GridFields<Solid>&, PressureSolver<Solid>&, Team&);
+template SolveResult project(const Setup<PlaneStrain>&, double, const std::vector<WellFlow>&, GridFields<PlaneStrain>&,
+                             PressureSolver<PlaneStrain>&, Team&);
+template SolveResult project(const Setup<Solid>&, double, const std::vector<WellFlow>&, GridFields<Solid>&,
+                             PressureSolver<Solid>&, Team&);
 template SolveResult correct_volume(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&, PressureSolver<PlaneStrain>&,
                                     Team&);
 template SolveResult correct_volume(const Setup<Solid>&, GridFields<Solid>&, PressureSolver<Solid>&, Team&);

@@ -4,13 +4,14 @@
 #include "polder/grid/pressure_solver.hpp"
 #include "polder/step/fields.hpp"
 #include "polder/step/setup.hpp"
+#include "polder/step/wells.hpp"
 
 namespace polder {
 
-/// Solves for grid.pressure and corrects both phases' face velocities.
+/// Solves for grid.pressure, with what wells take, and corrects both phases' face velocities.
 template <class Space>
-SolveResult project(const Setup<Space>& setup, double dt, GridFields<Space>& grid, PressureSolver<Space>& solver,
-                    Team& team);
+SolveResult project(const Setup<Space>& setup, double dt, const std::vector<WellFlow>& wells, GridFields<Space>& grid,
+                    PressureSolver<Space>& solver, Team& team);
 
 /// Shift of water positions (grid.shift, m on the faces) that moves cells' fill towards one.
 template <class Space>

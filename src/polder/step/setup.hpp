@@ -9,6 +9,8 @@
 
 #include "polder/boundary/open_side.hpp"
 #include "polder/boundary/reservoir.hpp"
+#include "polder/boundary/standing_walls.hpp"
+#include "polder/boundary/well.hpp"
 #include "polder/case/model.hpp"
 #include "polder/grid/bodies.hpp"
 #include "polder/grid/lattice.hpp"
@@ -27,8 +29,9 @@ struct SoilMaterial {
   double grain_density = 2650;  ///< kg/m³
   double initial_porosity = 0.4;
   double max_porosity = 0.5;
-  Drag drag[2];        ///< horizontal, vertical
-  bool fixed = false;  ///< grains do not move
+  Drag drag[2];                 ///< horizontal, vertical
+  double shear_share = 0.2857;  ///< G over the modulus of the drained P-wave
+  bool fixed = false;           ///< grains do not move
 };
 
 /// How the pores of a material hold and conduct water under suction, and how stiff its grains are (unsaturated
@@ -55,7 +58,10 @@ struct Setup {
   WaterProperties water;
   std::vector<Reservoir<Space>> reservoirs;
   std::vector<OpenSide> open_sides;
-  std::vector<Table> loads;  ///< Pa on the ground, of the time in s
+  std::vector<GroundLoad> loads;
+  std::vector<FrictionFace> friction;  ///< of the thin walls that stand now
+  std::vector<WellCells> wells;        ///< those that are there now
+  std::vector<Rain> rains;
   Numerics numerics;
   std::vector<MovingSide> moving_sides;
   double gravity = 9.81;                           ///< m/s²
@@ -103,6 +109,14 @@ struct Setup {
         .velocity[static_cast<std::size_t>(axis)][static_cast<std::size_t>(end)][static_cast<std::size_t>(axis)];
   }
 
+  /// Whether the ground goes on beyond this end of an axis.
+  bool absorbs(int axis, int end) const { return soil_box.wall[axis][end] == WallKind::absorbing; }
+  bool any_absorbs() const {
+    for (int a = 0; a < Space::axes; ++a)
+      if (absorbs(a, 0) || absorbs(a, 1)) return true;
+    return false;
+  }
+
   /// The open side at this end of an axis, or nullptr.
   const OpenSide* open_side(int axis, int end) const {
     for (const OpenSide& side : open_sides)
@@ -127,6 +141,7 @@ struct StepControl {
   bool hold_water = false;   ///< no horizontal flow of water
   /// m/s², on the soil beside gravity: component, place (x, y, z) in m and time in s; empty: none.
   std::function<double(int, const std::array<double, 3>&, double)> body_force{};
+  bool event = true;         ///< not in an initial stage: absorbing sides let waves out
 };
 
 }  // namespace polder

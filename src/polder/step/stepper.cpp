@@ -7,8 +7,11 @@
 #include "polder/math/huge_pages.hpp"
 #include "polder/points/resample.hpp"
 #include "polder/step/face_predictor.hpp"
+#include "polder/step/far_field.hpp"
 #include "polder/step/open_sides.hpp"
 #include "polder/step/points_to_grid.hpp"
+#include "polder/step/rain.hpp"
+#include "polder/step/wall_friction.hpp"
 
 namespace polder {
 
@@ -59,6 +62,12 @@ Stepper<Space>::Stepper(Setup<Space> setup_, SoilPoints<Space> soil_, WaterPoint
       next_water_id(water.size()),
       team(threads),
       solver_(setup.lattice) {
+  if (!setup.rains.empty()) grid.rain = setup.lattice.make_array();
+  if (setup.any_absorbs()) {
+    grid.far_force = make_face_field(setup.lattice);
+    grid.far_pressure = setup.lattice.make_array();
+    for (auto& z : grid.far_impedance) z = setup.lattice.make_array();
+  }
   if (setup.unsaturated) unsaturated = std::make_unique<UnsaturatedStep<Space>>(setup, soil, grid);
   if (soil.size() + water.size() > many_points) use_huge_pages();
 }
@@ -75,7 +84,7 @@ double Stepper<Space>::natural_step() const {
     for (int a = 0; a < Space::axes; ++a) sum += 1 / (setup.lattice.spacing[a] * setup.lattice.spacing[a]);
     dt = std::min(dt, viscous_cfl * setup.water.density / (2 * setup.water.viscosity * sum));
   }
-  if (setup.gravity > 0 && (water.size() > 0 || setup.single_point))
+  if (setup.gravity > 0 && (water.size() > 0 || setup.single_point || !setup.rains.empty()))
     dt = std::min(dt, surface_cfl * std::sqrt(setup.lattice.smallest_spacing() / setup.gravity));
   if (motion.speed > 0) dt = std::min(dt, point_cfl / motion.speed);
   return dt;
@@ -161,6 +170,9 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   soil_to_grid(setup, soil, soil_tiling_, control.time, grid, team);
   water_to_grid(setup, soil, soil_tiling_, water, water_tiling_, grid, team);
   if (!setup.open_sides.empty()) prepare_open_sides(setup, control.time, grid);
+  const bool far_field = control.event && setup.any_absorbs();
+  if (far_field && grid.far_is_known == 0) know_far_field(setup, soil, setup.gravity * control.gravity_factor, grid);
+  if (far_field) prepare_far_field(setup, grid);
   watch.lap(times.to_grid);
 
   if (setup.water.viscous) add_viscous_stress(setup, dt, grid, team);
@@ -168,13 +180,17 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   if (!setup.open_sides.empty()) close_seepage_faces(setup, grid);
   watch.lap(times.faces);
 
-  report.pressure = project(setup, dt, grid, solver_, team);
+  std::vector<WellFlow> wells;
+  if (!setup.wells.empty()) wells = well_flows(setup, control.time, grid);
+  report.pressure = project(setup, dt, wells, grid, solver_, team);
+  if (far_field) close_far_field(setup, grid);
   watch.lap(times.pressure);
 
   if (control.local_damping > 0) damp_locally(setup, control.local_damping, grid, team);
   extrapolate_water(setup, grid, grid.water_velocity, true, team);
   extrapolate_soil(setup, grid, team);
   if (setup.bodies.any()) meet_bodies(setup, grid);
+  if (!setup.friction.empty()) rub_along_walls(setup, dt, soil, grid);
   for (int c = 0; c < Space::axes; ++c) {
     if (control.hold_water && c != Space::up)
       std::fill(grid.water_velocity[c].begin(), grid.water_velocity[c].end(), 0.0);
@@ -201,11 +217,16 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   watch.lap(times.to_points);
 
   exchanged.clear();
-  if (!setup.open_sides.empty()) exchanged = exchange_through_sides(setup, dt, grid, next_water_id, water);
-  if (!setup.reservoirs.empty())
-    for (const Exchange& exchange : exchange_with_reservoirs(setup, control.time, grid, next_water_id, water))
-      exchanged.push_back(exchange);
-  if (!exchanged.empty()) sort_water();
+  bool sorted = true;  // wells that only change volumes leave the order as it is
+  if (!wells.empty()) exchanged = exchange_with_wells(setup, dt, wells, grid, next_water_id, water, sorted);
+  const auto add = [&](const std::vector<Exchange>& more) {
+    if (!more.empty()) sorted = false;
+    exchanged.insert(exchanged.end(), more.begin(), more.end());
+  };
+  if (!setup.rains.empty()) add(let_it_rain(setup, control.time, dt, grid, next_water_id, water));
+  if (!setup.open_sides.empty()) add(exchange_through_sides(setup, dt, grid, next_water_id, water));
+  if (!setup.reservoirs.empty()) add(exchange_with_reservoirs(setup, control.time, grid, next_water_id, water));
+  if (!sorted) sort_water();
   ++step;
   if (setup.numerics.split_water && step % resample_every == 0) resample();
   watch.lap(times.resample);

@@ -47,6 +47,14 @@ class Stepper {
     archive("grid/pressure", grid.pressure);
     for (int c = 0; c < Space::axes; ++c) archive("grid/relative_flux" + std::to_string(c), grid.relative_flux[c]);
     if (!setup.open_sides.empty()) archive("grid/owed", grid.owed);
+    if (!setup.rains.empty()) archive("grid/rain", grid.rain);
+    if (setup.any_absorbs()) {
+      for (int c = 0; c < Space::axes; ++c) archive("grid/far_force" + std::to_string(c), grid.far_force[c]);
+      archive("grid/far_pressure", grid.far_pressure);
+      archive("grid/far_impedance0", grid.far_impedance[0]);
+      archive("grid/far_impedance1", grid.far_impedance[1]);
+      archive("grid/far_is_known", grid.far_is_known);
+    }
     if (setup.single_point)
       for (int c = 0; c < Space::axes; ++c) archive("grid/discharge" + std::to_string(c), grid.discharge[c]);
     if (unsaturated) unsaturated->each_state(archive);

@@ -77,6 +77,7 @@ Model block(const Model& like, SpaceKind space, double soil_points) {
   model.boundaries.clear();
   model.walls.clear();
   model.loads.clear();
+  model.changes.clear();
   model.monitors.clear();
   Stage stage;
   stage.name = "rest";

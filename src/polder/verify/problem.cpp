@@ -35,8 +35,8 @@ std::span<const Problem> problems() {
     std::vector<Problem> list;
     for (auto* family :
          {rest_problems, dam_break_problems, channel_problems, consolidation_problems, mandel_problems, wave_problems,
-          seepage_problems, sheet_pile_problems, fluidisation_problems, suspension_problems, bar_problems,
-          vortex_problems, element_problems, cylinder_problems, footing_problems, infiltration_problems})
+          far_field_problems, seepage_problems, sheet_pile_problems, fluidisation_problems, suspension_problems,
+          bar_problems, vortex_problems, element_problems, cylinder_problems, footing_problems, infiltration_problems})
       for (Problem& problem : family()) list.push_back(std::move(problem));
     return list;
   }();

@@ -77,6 +77,7 @@ std::vector<Problem> element_problems();
 std::vector<Problem> consolidation_problems();
 std::vector<Problem> fluidisation_problems();
 std::vector<Problem> wave_problems();
+std::vector<Problem> far_field_problems();
 std::vector<Problem> infiltration_problems();
 
 }  // namespace polder::verify

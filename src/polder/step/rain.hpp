@@ -1,0 +1,19 @@
+#pragma once
+// Rain in a step: it falls on each column of cells and becomes points above the column's uppermost soil or water, in
+// parcels of an eighth of a point.
+#include <cstdint>
+#include <vector>
+
+#include "polder/points/point_sets.hpp"
+#include "polder/step/fields.hpp"
+#include "polder/step/reservoirs.hpp"
+#include "polder/step/setup.hpp"
+
+namespace polder {
+
+/// Returns what has become points; if anything has, they must be sorted again.
+template <class Space>
+std::vector<Exchange> let_it_rain(const Setup<Space>& setup, double time, double dt, GridFields<Space>& grid,
+                                  std::uint64_t& next_id, WaterPoints<Space>& water);
+
+}  // namespace polder

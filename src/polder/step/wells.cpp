@@ -1,0 +1,147 @@
+#include "polder/step/wells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "polder/math/random.hpp"
+#include "polder/points/tiles.hpp"
+
+namespace polder {
+
+namespace {
+
+constexpr double open_slot = 400;  // how much better a slot conducts than half a cell of its soil
+constexpr double least = 1e-9;     // × a nominal point: what is left of one that is taken whole
+
+/// K/γ of the soil in a cell, m³ s/kg: discharge per pressure gradient; 0 where there is no soil.
+template <class Space>
+double conductivity(const Setup<Space>& setup, const GridFields<Space>& grid, std::ptrdiff_t cell, bool vertical) {
+  const double drag = grid.linear_drag[setup.anisotropic && vertical ? 1 : 0][cell];
+  return drag > 0 ? setup.lattice.cell_volume() / drag : 0;
+}
+
+/// Peaceman (1978, 1983): a well's pressure is that of its cell at r₀ from its axis, with r₀ = 0.14 √(h₁² + h₂²) of the
+/// two spacings across it where the soil conducts alike on both.
+template <class Space>
+double conductance_of(const Setup<Space>& setup, const GridFields<Space>& grid, const WellCells& well, std::size_t i) {
+  const auto& lattice = setup.lattice;
+  const double horizontal = conductivity(setup, grid, well.cells[i], false);
+  if (horizontal <= 0) return 0;
+  if (Space::axes == 2 && well.line)  // a slot: its cells have its pressure
+    return open_slot * horizontal * well.length[i] / lattice.smallest_spacing();
+  const double vertical = conductivity(setup, grid, well.cells[i], true);
+  double across[2] = {lattice.spacing[0], lattice.spacing[1]}, k[2] = {horizontal, vertical};
+  if (Space::axes == 3) {
+    int number = 0;
+    for (int a = 0; a < 3; ++a)
+      if (a != (well.along < 0 ? Space::up : well.along) && number < 2) {
+        across[number] = lattice.spacing[a];
+        k[number++] = a == Space::up ? vertical : horizontal;
+      }
+  }
+  const double r = std::sqrt(k[1] / k[0]), s = std::sqrt(r);
+  const double r0 =
+      0.28 * std::sqrt(r * across[0] * across[0] + across[1] * across[1] / r) / (s + 1 / s);  // 0.14 √(…) for r = 1
+  return 2 * std::numbers::pi * std::sqrt(k[0] * k[1]) * well.length[i] / std::log(r0 / well.well.radius);
+}
+
+}  // namespace
+
+template <class Space>
+std::vector<WellFlow> well_flows(const Setup<Space>& setup, double time, const GridFields<Space>& grid) {
+  const auto& lattice = setup.lattice;
+  const double gamma = setup.water.density * setup.gravity;
+  std::vector<WellFlow> flows;
+  for (const WellCells& well : setup.wells) {
+    double length = 0;
+    for (std::size_t i = 0; i < well.cells.size(); ++i)
+      if (grid.wet[well.cells[i]]) length += well.length[i];
+    for (std::size_t i = 0; i < well.cells.size(); ++i) {
+      const std::ptrdiff_t cell = well.cells[i];
+      if (!grid.wet[cell]) continue;
+      if (well.well.discharge) {
+        const double share = Space::axes == 2 ? well.length[i] / length : well.length[i];
+        flows.push_back({cell, 0, 0, (*well.well.discharge)(time)*share});
+        continue;
+      }
+      const double height = (lattice.place(cell, Space::up) + 0.5) * lattice.spacing[Space::up];
+      const double level = std::max(0.0, gamma * ((*well.well.head)(time)-height));
+      if (well.well.only_takes && grid.pressure[cell] <= level) continue;
+      flows.push_back({cell, conductance_of(setup, grid, well, i), level, 0});
+    }
+  }
+  return flows;
+}
+
+template <class Space>
+std::vector<Exchange> exchange_with_wells(const Setup<Space>& setup, double dt, const std::vector<WellFlow>& flows,
+                                          const GridFields<Space>& grid, std::uint64_t& next_id,
+                                          WaterPoints<Space>& water, bool& sorted) {
+  std::vector<Exchange> exchanged;
+  if (flows.empty()) return exchanged;
+  const auto& lattice = setup.lattice;
+  std::map<std::ptrdiff_t, std::vector<std::size_t>> inside;
+  for (const WellFlow& flow : flows) inside.try_emplace(flow.cell);
+  for (std::size_t p = 0; p < water.size(); ++p) {
+    const auto cell = cell_of(lattice, position_of(water, p));
+    const auto found = inside.find(lattice.index(cell[0], cell[1], cell[2]));
+    if (found != inside.end()) found->second.push_back(p);
+  }
+  std::vector<std::uint8_t> leaves(water.size(), 0);
+  const double nominal = setup.nominal_point_volume();
+  for (const WellFlow& flow : flows) {
+    double left = dt * (flow.conductance * (grid.pressure[flow.cell] - flow.level) + flow.rate);
+    std::vector<std::size_t>& points = inside.at(flow.cell);
+    const auto smaller = [&](std::size_t a, std::size_t b) {
+      return std::pair{water.volume[a], water.id[a]} < std::pair{water.volume[b], water.id[b]};
+    };
+    while (left > 0 && !points.empty()) {
+      const auto at = std::min_element(points.begin(), points.end(), smaller);
+      const std::size_t p = *at;
+      const double taken = left < water.volume[p] - least * nominal ? left : water.volume[p];
+      exchanged.push_back({flow.cell, -taken});
+      left -= taken;
+      water.volume[p] -= taken;
+      if (water.volume[p] > 0) break;
+      leaves[p] = 1;
+      points.erase(at);
+    }
+    if (left >= 0) continue;
+    const double more = -left, pores = grid.cell_porosity[flow.cell];
+    const auto at = std::min_element(points.begin(), points.end(), smaller);
+    std::size_t p = at == points.end() ? 0 : *at;
+    if (at == points.end() || water.volume[p] + more > 1.5 * pores * nominal) {
+      p = append_points(water, 1);
+      leaves.push_back(0);
+      points.push_back(p);
+      water.id[p] = next_id++;
+      for (int a = 0; a < Space::axes; ++a) {
+        const double share = uniform(setup.numerics.seed, water.id[p], static_cast<std::uint64_t>(a));
+        water.position[a][p] = (lattice.place(flow.cell, a) + share) * lattice.spacing[a];
+        water.velocity[a][p] =
+            0.5 * (grid.water_velocity[a][flow.cell] + grid.water_velocity[a][flow.cell + lattice.stride[a]]);
+      }
+      sorted = false;
+    }
+    water.volume[p] += more;
+    exchanged.push_back({flow.cell, more});
+  }
+  if (std::find(leaves.begin(), leaves.end(), 1) != leaves.end()) {
+    remove_points(water, leaves);
+    sorted = false;
+  }
+  return exchanged;
+}
+
+template std::vector<WellFlow> well_flows(const Setup<PlaneStrain>&, double, const GridFields<PlaneStrain>&);
+template std::vector<WellFlow> well_flows(const Setup<Solid>&, double, const GridFields<Solid>&);
+template std::vector<Exchange> exchange_with_wells(const Setup<PlaneStrain>&, double, const std::vector<WellFlow>&,
+                                                   const GridFields<PlaneStrain>&, std::uint64_t&,
+                                                   WaterPoints<PlaneStrain>&, bool&);
+template std::vector<Exchange> exchange_with_wells(const Setup<Solid>&, double, const std::vector<WellFlow>&,
+                                                   const GridFields<Solid>&, std::uint64_t&, WaterPoints<Solid>&,
+                                                   bool&);
+
+}  // namespace polder
