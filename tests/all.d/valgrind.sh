@@ -7,7 +7,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 cmake --preset release >/dev/null && cmake --build --preset release --target polder >&2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-checked=(valgrind --quiet --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite)
+checked=(valgrind --quiet --suppressions=tests/all.d/valgrind.supp --error-exitcode=9 --leak-check=full --errors-for-leak-kinds=definite)
 run=(build/release/polder run dike-seepage --threads 1 --quiet --out "$folder/run")
 "${checked[@]}" "${run[@]}" --until 0.003
 "${checked[@]}" "${run[@]}" --until 0.006 --resume

@@ -237,6 +237,10 @@ TEST(Checkpoint, IsRefusedWhenItsStateCannotBe) {
   EXPECT_SAYS(refusal([](auto& state) { state.soil.load[5] = 1; }), "has a material or a load");
   EXPECT_SAYS(refusal([](auto& state) { state.soil.home[5] = 1 << 30; }), "is not where the point is");
   EXPECT_SAYS(refusal([](auto& state) { state.water.home[5] = -1; }), "is not where the point is");
+  EXPECT_SAYS(refusal([](auto& state) {  // beyond the last tile, where counting round the axes ends at the same cell
+                state.soil.home.back() += static_cast<std::int32_t>(count_homes(state.setup.lattice));
+              }),
+              "is not where the point is");
   EXPECT_SAYS(refusal([](auto& state) { state.soil.porosity.resize(3); }), "has another length");
   EXPECT_SAYS(refusal([](auto& state) { state.motion.speed = nan; }), "not a number");
 }

@@ -5,25 +5,10 @@
 
 namespace polder {
 
-namespace {
-
-template <class Space>
-constexpr int cells_in_tile = Tiling<Space>::width* Tiling<Space>::width*(Space::axes == 3 ? Tiling<Space>::width : 1);
-
-template <class Space>
-std::array<int, 3> tiles_of(const Lattice<Space>& lattice) {
-  std::array<int, 3> tiles{1, 1, 1};
-  for (int a = 0; a < Space::axes; ++a) tiles[a] = (lattice.cells[a] + Tiling<Space>::width - 1) / Tiling<Space>::width;
-  return tiles;
-}
-
-}  // namespace
-
 template <class Space, class Points>
 void sort_points(const Lattice<Space>& lattice, Points& points, Tiling<Space>& tiling, Team& team) {
-  constexpr int width = Tiling<Space>::width;
+  constexpr int width = Tiling<Space>::width, in_tile = Tiling<Space>::in_tile;
   const auto tiles = tiles_of(lattice);
-  const std::size_t tile_count = static_cast<std::size_t>(tiles[0]) * tiles[1] * tiles[2];
 
   const std::size_t n = points.size();
   std::vector<std::uint32_t> key(n), order(n);
@@ -37,12 +22,12 @@ void sort_points(const Lattice<Space>& lattice, Points& points, Tiling<Space>& t
         tile = tile * static_cast<std::uint32_t>(tiles[a]) + static_cast<std::uint32_t>(cell[a] / width);
         inner = inner * width + static_cast<std::uint32_t>(cell[a] % width);
       }
-      key[p] = tile * cells_in_tile<Space> + inner;
+      key[p] = tile * in_tile + inner;
       points.home[p] = static_cast<std::int32_t>(key[p]);
     }
   });
 
-  std::vector<std::uint32_t> start(tile_count * cells_in_tile<Space> + 1, 0);
+  std::vector<std::uint32_t> start(static_cast<std::size_t>(count_homes(lattice)) + 1, 0);
   for (const auto k : key) ++start[k + 1];
   for (std::size_t c = 1; c < start.size(); ++c) start[c] += start[c - 1];
   std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
@@ -65,14 +50,14 @@ void sort_points(const Lattice<Space>& lattice, Points& points, Tiling<Space>& t
 // of a colour, two rows or parts of a row from each other, still do not write to the same faces.
 template <class Space>
 void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& home, Tiling<Space>& tiling) {
-  constexpr int many_rows = 32;
+  constexpr int many_rows = 32, in_tile = Tiling<Space>::in_tile;
   const auto tiles = tiles_of(lattice);
   const int parts = std::clamp(many_rows / (tiles[1] * tiles[2]), 1, (tiles[0] + 1) / 2);
   for (auto& list : tiling.by_colour) list.clear();
   std::array<int, 3> last_range{-1, -1, -1};
   for (std::size_t first = 0, last = 0; first < home.size(); first = last) {
-    const int tile = home[first] / cells_in_tile<Space>;
-    while (last < home.size() && home[last] / cells_in_tile<Space> == tile) ++last;
+    const int tile = home[first] / in_tile;
+    while (last < home.size() && home[last] / in_tile == tile) ++last;
     const std::array<int, 3> range{tile % tiles[0] * parts / tiles[0], tile / tiles[0] % tiles[1],
                                    tile / tiles[0] / tiles[1]};
     auto& of_colour = tiling.by_colour[range[0] % 2 + 2 * (range[1] % 2) + 4 * (range[2] % 2)];

@@ -1,5 +1,5 @@
 #pragma once
-// Points sorted by cell, cells gathered in square tiles, tiles coloured.
+// Points sorted by cell, cells gathered in tiles, tiles coloured.
 //
 // Within a colour no two tiles write to the same face: a point writes from one cell below to three above its own, and
 // may have drifted half a cell since the last sort, so a tile of six cells or more suffices. Tiles of a colour are
@@ -22,6 +22,7 @@ struct TileRange {
 template <class Space>
 struct Tiling {
   static constexpr int width = Space::axes == 2 ? 8 : 6;
+  static constexpr int in_tile = width * width * (Space::axes == 3 ? width : 1);  ///< cells
   static constexpr int colours = 1 << Space::axes;
   std::array<std::vector<TileRange>, colours> by_colour;
 };
@@ -39,6 +40,21 @@ std::array<int, 3> cell_of(const Lattice<Space>& lattice, const std::array<doubl
   return cell;
 }
 
+/// Tiles along each axis.
+template <class Space>
+std::array<int, 3> tiles_of(const Lattice<Space>& lattice) {
+  std::array<int, 3> tiles{1, 1, 1};
+  for (int a = 0; a < Space::axes; ++a) tiles[a] = (lattice.cells[a] + Tiling<Space>::width - 1) / Tiling<Space>::width;
+  return tiles;
+}
+
+/// Homes there are; some at the high ends are of cells beyond the lattice.
+template <class Space>
+std::int64_t count_homes(const Lattice<Space>& lattice) {
+  const auto tiles = tiles_of(lattice);
+  return std::int64_t{Tiling<Space>::in_tile} * tiles[0] * tiles[1] * tiles[2];
+}
+
 /// The tiles of points that are sorted, from their homes.
 template <class Space>
 void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& home, Tiling<Space>& tiling);
@@ -46,14 +62,13 @@ void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t
 /// The cell that a home stands for.
 template <class Space>
 std::array<int, 3> cell_of_home(const Lattice<Space>& lattice, std::int32_t home) {
-  constexpr int width = Tiling<Space>::width;
-  constexpr int in_tile = width * width * (Space::axes == 3 ? width : 1);
+  constexpr int width = Tiling<Space>::width, in_tile = Tiling<Space>::in_tile;
+  const auto tiles = tiles_of(lattice);
   int tile = home / in_tile, inner = home % in_tile;
   std::array<int, 3> cell{0, 0, 0};
   for (int a = 0; a < Space::axes; ++a) {
-    const int tiles = (lattice.cells[a] + width - 1) / width;
-    cell[a] = tile % tiles * width + inner % width;
-    tile /= tiles;
+    cell[a] = tile % tiles[a] * width + inner % width;
+    tile /= tiles[a];
     inner /= width;
   }
   return cell;

@@ -58,8 +58,9 @@ std::string unsound_motion(const Lattice<Space>& lattice, const Points& points, 
 /// Cells of the points' homes must be in the grid, in ascending order, and near where the points are.
 template <class Space, class Points>
 std::string flaw_of_homes(const Lattice<Space>& lattice, const Points& points, const char* phase) {
+  const std::int64_t homes = count_homes(lattice);
   for (std::size_t p = 0; p < points.size(); ++p) {
-    bool good = points.home[p] >= 0 && (p == 0 || points.home[p] >= points.home[p - 1]);
+    bool good = points.home[p] >= 0 && points.home[p] < homes && (p == 0 || points.home[p] >= points.home[p - 1]);
     if (good) {
       const auto home = cell_of_home(lattice, points.home[p]);
       for (int a = 0; a < Space::axes; ++a)

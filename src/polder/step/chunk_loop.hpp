@@ -51,7 +51,7 @@ class Upcoming {
   }
 
  private:
-  static constexpr int width = Tiling<Space>::width, in_tile = width * width * (Space::axes == 3 ? width : 1);
+  static constexpr int width = Tiling<Space>::width, in_tile = Tiling<Space>::in_tile;
   static constexpr int across = width + 4,
                        rows = Space::axes == 2 ? across : across * across;  // with what splines reach
   static constexpr int line = 8;                                            // values of a cache line

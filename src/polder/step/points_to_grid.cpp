@@ -349,7 +349,8 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
         const double saturated = grid.saturated_solid[cell];
         grid.fill[cell] = (grid.water_volume[cell] + saturated) / (grid.cell_porosity[cell] * cell_volume + saturated);
       }
-      grid.wet[cell] = grid.fill[cell] > setup.numerics.wet_threshold;
+      // a cell that is just half full is dry, whatever the sums round to
+      grid.wet[cell] = grid.fill[cell] > setup.numerics.wet_threshold + 1e-9;
     }
   });
   join_ends(grid.fill, setup.water_box, lattice);
