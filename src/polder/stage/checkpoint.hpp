@@ -14,7 +14,7 @@ struct OutputState {
   std::uint64_t history_rows = 0;
   std::uint64_t next_history = 0, next_snapshot = 0, next_picture = 0;  ///< numbers of what is due next
   double wall_seconds = 0;
-  double last_dt = 0;                   ///< s
+  double last_dt = 0;                     ///< s
   std::vector<std::uint64_t> followed{};  ///< ids of the soil points that monitors follow
 };
 

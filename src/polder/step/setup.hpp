@@ -141,7 +141,7 @@ struct StepControl {
   bool hold_water = false;   ///< no horizontal flow of water
   /// m/s², on the soil beside gravity: component, place (x, y, z) in m and time in s; empty: none.
   std::function<double(int, const std::array<double, 3>&, double)> body_force{};
-  bool event = true;         ///< not in an initial stage: absorbing sides let waves out
+  bool event = true;  ///< not in an initial stage: absorbing sides let waves out
 };
 
 }  // namespace polder
