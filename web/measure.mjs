@@ -1,5 +1,7 @@
-// node measure.mjs REPORT: how long the report takes to open and how fast it plays, in a headless Chromium that draws with
-// the processor. Prints; asserts nothing. Run it on a quiet machine.
+// node measure.mjs REPORT: how long the report takes to open, what memory it takes and how fast it plays, in a headless
+// Chromium that draws with the processor. Prints; asserts nothing. Run it on a quiet machine.
+import { readdirSync, readFileSync } from "node:fs";
+
 process.env.POLDER_REPORT = process.argv[2];
 const { open } = await import("./test/browser.mjs");
 
@@ -27,6 +29,21 @@ async function play(page, seconds) {
   }, seconds);
 }
 
+/** Resident memory of everything that this process has started, shared pages counted once, MB. */
+function memory() {
+  const parents = new Map();
+  for (const pid of readdirSync("/proc").filter((name) => /^\d+$/.test(name)))
+    try {
+      parents.set(Number(pid), Number(readFileSync(`/proc/${pid}/stat`, "utf8").split(") ").at(-1).split(" ")[1]));
+    } catch {
+      // it has ended
+    }
+  const ours = (pid) => pid > 1 && (parents.get(pid) === process.pid || ours(parents.get(pid) ?? 0));
+  let kilobytes = 0;
+  for (const pid of parents.keys()) if (ours(pid)) kilobytes += Number(/^Pss:\s+(\d+)/m.exec(readFileSync(`/proc/${pid}/smaps_rollup`, "utf8"))?.[1] ?? 0);
+  return Math.round(kilobytes / 1024);
+}
+
 function told(gaps) {
   const sorted = [...gaps].sort((a, b) => a - b);
   const rate = (share) => (1000 / sorted[Math.floor(share * (sorted.length - 1))]).toFixed(0);
@@ -46,8 +63,9 @@ for (const [name, args] of [["WebGL, software", []], ["2D canvas", ["--disable-3
   const { frames, entries } = await page.evaluate(() => ({ frames: window.polder.page.times.length, entries: window.polder.series.reduce((n, s) => n + s.x.length, 0) }));
   console.log(`${name}: ${Math.round(entries / frames)} points x ${frames} frames`);
   console.log(`  opens in ${opened.map((ms) => (ms / 1000).toFixed(2)).join(", ")} s`);
+  console.log(`  memory of the browser with the page open: ${memory()} MB; notes: ${(await page.locator(".notes li").allTextContents()).join(" ") || "none"}`);
   console.log(`  points: ${told(await play(page, 6))}`);
-  if (args.length === 0) {
+  {
     await page.getByLabel("smooth field").check();
     console.log(`  smooth field: ${told(await play(page, 6))}`);
   }

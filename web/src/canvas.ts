@@ -1,5 +1,7 @@
-// The painter for browsers without WebGL2: one small square per point, sorted by colour so that the pen changes rarely.
+// The painter for browsers without WebGL2: one small square per point, sorted by colour so that the pen changes rarely, or a
+// smooth field as a small picture that is stretched.
 import { mapSize } from "./colourmap";
+import { bodyEdge, type FieldSums, sumField } from "./field";
 import type { Layer, Painter, Scene } from "./scene";
 
 const missingColour = mapSize;
@@ -43,12 +45,42 @@ function drawLayer(pen: CanvasRenderingContext2D, layer: Layer, scene: Scene) {
   }
 }
 
+function pictureOf({ nx, ny, data }: FieldSums, layer: Layer, missing: Scene["missing"]): ImageData {
+  const picture = new ImageData(nx, ny);
+  const [none, full] = bodyEdge;
+  for (let j = 0; j < ny; ++j)
+    for (let i = 0; i < nx; ++i) {
+      const k = 4 * (j * nx + i);
+      if (data[k + 2] <= none) continue;
+      const to = 4 * ((ny - 1 - j) * nx + i);
+      const known = data[k + 1] > 0.01;
+      const colour = 4 * Math.round((mapSize - 1) * (known ? data[k] / data[k + 1] : 0));
+      for (let c = 0; c < 3; ++c) picture.data[to + c] = known ? layer.map[colour + c] : Math.round(255 * missing[c]);
+      picture.data[to + 3] = Math.round(255 * layer.opacity * Math.min(1, (data[k + 2] - none) / (full - none)));
+    }
+  return picture;
+}
+
 export function canvasPainter(canvas: HTMLCanvasElement): Painter {
   const pen = canvas.getContext("2d")!;
+  const small = document.createElement("canvas");
+  const smallPen = small.getContext("2d")!;
   let ratio = 1;
+  let sums = new Float32Array(0);
+
+  function drawField(layer: Layer, scene: Scene) {
+    const field = sumField(layer, scene, ratio, sums);
+    sums = field.data;
+    [small.width, small.height] = [field.nx, field.ny];
+    smallPen.putImageData(pictureOf(field, layer, scene.missing), 0, 0);
+    const { left, top, height, scale } = scene.camera;
+    const side = field.cell * scale;
+    pen.globalAlpha = 1;
+    pen.drawImage(small, left, top + height - field.ny * side, field.nx * side, field.ny * side);
+  }
+
   return {
     kind: "canvas",
-    canSmooth: false,
     resize(w, h, r) {
       ratio = r;
       canvas.width = Math.round(w * r);
@@ -63,7 +95,9 @@ export function canvasPainter(canvas: HTMLCanvasElement): Painter {
       pen.beginPath();
       pen.rect(left, top, width, height);
       pen.clip();
-      for (const layer of scene.layers) drawLayer(pen, layer, scene);
+      for (const layer of scene.layers)
+        if (scene.smooth && !layer.category) drawField(layer, scene);
+        else drawLayer(pen, layer, scene);
       pen.restore();
     },
   };

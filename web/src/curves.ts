@@ -145,7 +145,9 @@ export function makeCurves(page: Page, player: Player): { element: HTMLElement; 
   if (groups.length === 0) return null;
   const end = times[times.length - 1];
   const timeUnit = end >= 3 * 3600 ? { factor: 1 / 3600, unit: "h" } : end >= 300 ? { factor: 1 / 60, unit: "min" } : { factor: 1, unit: "s" };
-  const charts = groups.map((g) => makeChart(g, times, player, timeUnit));
+  const still = (g: Group) => g.curves.every((c) => c.values.every((v) => v === null || v === c.values[0]));
+  const unchanged = groups.filter(still).flatMap((g) => g.curves.map((c) => `${words(c.name)} ${formatQuantity(c.values[0] ?? 0, c.unit)}`));
+  const charts = groups.filter((g) => !still(g)).map((g) => makeChart(g, times, player, timeUnit));
   player.onTime(() => {
     for (const c of charts) c.mark(player.clock.time());
   });
@@ -155,6 +157,7 @@ export function makeCurves(page: Page, player: Player): { element: HTMLElement; 
     h("h2", {}, "Curves"),
     h("p", { class: "lead" }, `Time in ${timeUnit.unit}. The line is the player's time; a click on a curve takes the player there.`),
     h("div", { class: "charts" }, ...charts.map((c) => c.element)),
+    unchanged.length ? h("p", { class: "lead unchanged" }, `The same in every row: ${unchanged.join("; ")}.`) : null,
   );
   return { element, rebuild: () => charts.forEach((c) => c.build()) };
 }

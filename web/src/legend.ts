@@ -58,7 +58,7 @@ function settled(field: Field, [low, high]: [number, number]): [number, number] 
     return [-most, most];
   }
   // A lowest value that is nothing beside the highest is a rounded nothing.
-  if (low > 0 && low < 1e-3 * high) return [0, high];
+  if (Math.abs(low) < 1e-3 * high) return [0, high];
   return high > low ? [low, high] : [low, low + (Math.abs(low) || 1)];
 }
 

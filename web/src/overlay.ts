@@ -19,6 +19,8 @@ export interface OverlayInput {
   camera: Camera;
   frame: number;
   blend: number;
+  /** s */
+  time: number;
   soil?: Series;
   water?: Series;
   shown: Shown;
@@ -120,8 +122,14 @@ function levelSign(pen: CanvasRenderingContext2D, x: number, y: number) {
   pen.stroke();
 }
 
-function water(pen: CanvasRenderingContext2D, { page, camera, frame, soil, water: points }: OverlayInput) {
-  const { free, phreatic } = waterLines(page.size, frame, soil, points);
+function water(pen: CanvasRenderingContext2D, { page, camera, frame, time, soil, water: points }: OverlayInput) {
+  const { free, phreatic, standing } = waterLines(page, time, frame, soil, points);
+  pen.fillStyle = cssColour("--still-water");
+  for (const outline of standing) {
+    pen.beginPath();
+    polyline(pen, camera, outline);
+    pen.fill();
+  }
   pen.strokeStyle = pen.fillStyle = cssColour("--water-line");
   pen.lineWidth = 1.75;
   pen.lineJoin = "round";
@@ -189,10 +197,38 @@ function arrows(pen: CanvasRenderingContext2D, series: Series, colour: string, {
   draw(1.4, colour);
 }
 
+interface Label {
+  text: string;
+  px: number;
+  py: number;
+}
+
+/** Monitors at one place share a label. */
+function labelsOf(page: Page, camera: Camera): Label[] {
+  const labels: Label[] = [];
+  for (const { name, points } of page.monitors) {
+    if (!points.length) continue;
+    const [px, py] = toScreen(camera, ...points[0]);
+    const near = labels.find((l) => Math.hypot(l.px - px, l.py - py) < 6);
+    if (near) near.text += `, ${name}`;
+    else labels.push({ text: name, px, py });
+  }
+  return labels;
+}
+
+/** Beside its place, where it covers no other label and leaves the plot least. */
+function placeLabel(pen: CanvasRenderingContext2D, { text, px, py }: Label, camera: Camera, taken: number[][]): [number, number] {
+  const w = pen.measureText(text).width;
+  const places = [[7, -4], [7, 18], [-7 - w, -4], [-7 - w, 18], [7, 34], [7, -20]].map(([dx, dy]) => [px + dx, py + dy]);
+  const free = places.find(
+    ([x, y]) => x >= camera.left && x + w <= camera.left + camera.width && taken.every(([l, t, r, b]) => x > r || x + w < l || y < t || y - 15 > b),
+  );
+  const [x, y] = free ?? places[0];
+  taken.push([x, y - 15, x + w, y]);
+  return [x, y];
+}
+
 function monitors(pen: CanvasRenderingContext2D, { page, camera }: OverlayInput) {
-  pen.font = font(12, 600);
-  pen.textAlign = "left";
-  pen.textBaseline = "bottom";
   pen.lineWidth = 1.5;
   for (const monitor of page.monitors) {
     const places = monitor.points.map(([x, y]) => toScreen(camera, x, y));
@@ -208,14 +244,19 @@ function monitors(pen: CanvasRenderingContext2D, { page, camera }: OverlayInput)
       pen.fill();
       pen.stroke();
     }
-    if (camera.width < 520) continue;
-    const [px, py] = places[0];
+  }
+  if (camera.width < 520) return;
+  pen.font = font(12, 600);
+  pen.textAlign = "left";
+  pen.textBaseline = "bottom";
+  const taken: number[][] = [];
+  for (const label of labelsOf(page, camera)) {
+    const [x, y] = placeLabel(pen, label, camera, taken);
     pen.lineWidth = 3;
     pen.strokeStyle = cssColour("--halo");
-    pen.strokeText(monitor.name, px + 7, py - 4);
-    pen.lineWidth = 1.5;
+    pen.strokeText(label.text, x, y);
     pen.fillStyle = cssColour("--ink");
-    pen.fillText(monitor.name, px + 7, py - 4);
+    pen.fillText(label.text, x, y);
   }
 }
 

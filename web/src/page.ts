@@ -74,7 +74,8 @@ export interface Page {
   outlines: Point[][];
   walls: Point[][];
   monitors: { name: string; points: Point[] }[];
-  stages: { name: string; start: number; end: number }[];
+  /** Still water over the ground along a line: (time, level). */
+  levels: { name: string; line: Point[]; head: Point[] }[];
   history: { columns: HistoryColumn[]; values: (number | null)[][] };
   figures: { title: string; source: string }[];
   tables: Table[];

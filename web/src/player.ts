@@ -47,13 +47,33 @@ function boundsOf(list: Series[], every: number): Box | null {
   return box.x1 > box.x0 ? box : null;
 }
 
-function homeBox(page: Page, soil: Series | undefined): Box {
-  const all = { x0: 0, y0: 0, x1: page.size[0], y1: page.size[1] };
-  const body = soil && boundsOf([soil], 1);
+/** Height that the points reach at the start, or that all but a few thrown-up ones reach later. */
+function topOf(list: Series[]): number {
+  let first = 0;
+  const heights: number[] = [];
+  for (const s of list) {
+    for (let e = 0; e < s.start[1]; ++e) first = Math.max(first, s.y[e]);
+    const every = Math.max(1, Math.floor(s.y.length / 20000));
+    for (let e = 0; e < s.y.length; e += every) heights.push(s.y[e]);
+  }
+  heights.sort((a, b) => a - b);
+  return Math.max(first, heights[Math.floor(0.998 * (heights.length - 1))] ?? 0);
+}
+
+/** What the run fills, and some air over it; a section that is mostly air would show its soil small. */
+function homeBox(page: Page, soil: Series | undefined, water: Series | undefined): Box {
+  const [width, height] = page.size;
+  const all = { x0: 0, y0: 0, x1: width, y1: height };
+  const filled = topOf([soil, water].filter((s): s is Series => s !== undefined));
+  if (filled <= 0) return all;
+  const levels = page.levels.flatMap(({ line, head }) => (line.some(([, y]) => y > filled / 2) ? head.map(([, y]) => y) : []));
+  const top = Math.max(filled, ...levels);
+  const home = { ...all, y1: Math.min(height, 1.12 * top) };
   // On a narrow screen a long section would be a thread: begin at the soil instead.
-  if (!body || window.innerWidth > 640) return all;
+  const body = window.innerWidth <= 640 && soil && boundsOf([soil], 1);
+  if (!body) return home;
   const air = 0.06 * (body.x1 - body.x0);
-  return { x0: Math.max(0, body.x0 - air), x1: Math.min(all.x1, body.x1 + air), y0: 0, y1: Math.min(all.y1, body.y1 + air) };
+  return { x0: Math.max(0, body.x0 - air), x1: Math.min(width, body.x1 + air), y0: 0, y1: Math.min(home.y1, body.y1 + air) };
 }
 
 export function makePlayer(page: Page, all: Series[]): Player {
@@ -74,7 +94,8 @@ export function makePlayer(page: Page, all: Series[]): Player {
   let shownPlaying = false;
   let wasPlaying = false;
 
-  const stage = makeStage({ size: page.size, redraw: () => redraw(), point: (at) => point(at), home: () => homeBox(page, soil) });
+  const home = homeBox(page, soil, water);
+  const stage = makeStage({ size: page.size, redraw: () => redraw(), point: (at) => point(at), home: () => home });
   const pen = stage.overlay.getContext("2d")!;
   const clockText = h("output", { class: "clock" });
   const tip = h("div", { class: "tip", role: "status", hidden: true });
@@ -121,6 +142,7 @@ export function makePlayer(page: Page, all: Series[]): Player {
       camera: stage.camera,
       frame: clock.frame,
       blend: clock.place - clock.frame,
+      time: times[clock.frame] ?? 0,
       soil: visible.soil ? soil : undefined,
       water: visible.water ? water : undefined,
       shown,
@@ -254,9 +276,6 @@ export function makePlayer(page: Page, all: Series[]): Player {
       ? check("water velocity", false, (on) => ((shown.waterArrows = on), void arrowsOn(water)), "B")
       : undefined,
   };
-  const canSmooth = stage.painter().canSmooth;
-  toggles.smooth.box.disabled = !canSmooth;
-  if (!canSmooth) toggles.smooth.row.title = "needs WebGL2, which this browser does not offer here";
 
   const tools = h(
     "div",
@@ -331,6 +350,8 @@ export function makePlayer(page: Page, all: Series[]): Player {
   }
 
   for (const l of legends) void l.choose(l.key());
+  // Without water points the phreatic line comes from the pressures.
+  if (soil && !water && soil.choices.some((c) => c.key === "pore_pressure")) void soil.field("pore_pressure").then(redraw);
   return {
     element,
     clock,

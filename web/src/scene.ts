@@ -40,7 +40,6 @@ export interface Scene {
 
 export interface Painter {
   readonly kind: "webgl" | "canvas";
-  readonly canSmooth: boolean;
   resize(width: number, height: number, ratio: number): void;
   draw(scene: Scene): void;
 }

@@ -73,7 +73,8 @@ export function makeStage({ size, redraw, point, home }: Options): Stage {
     const width = element.clientWidth;
     if (width === 0 || !painter) return;
     const plot = width - margin.left - margin.right;
-    const wanted = (plot * size[1]) / size[0] + margin.top + margin.bottom;
+    const { x0, y0, x1, y1 } = home();
+    const wanted = (plot * (y1 - y0)) / (x1 - x0) + margin.top + margin.bottom;
     const height = Math.round(Math.min(Math.max(wanted, Math.min(270, 0.64 * width)), 0.68 * window.innerHeight, 760));
     element.style.height = `${height}px`;
     ratio = Math.min(2, window.devicePixelRatio || 1);

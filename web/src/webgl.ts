@@ -1,5 +1,6 @@
-// The WebGL2 painter: points as round sprites, or smooth fields by summing one kernel per point and dividing.
+// The WebGL2 painter: points as round sprites, or smooth fields from the sums of field.ts.
 import { mapSize } from "./colourmap";
+import { bodyEdge, sumField } from "./field";
 import type { Layer, Painter, Scene } from "./scene";
 
 // Position and value at this frame and the next; the shader moves the point between them.
@@ -39,46 +40,32 @@ void main() {
   result = vec4(known > 0.5 ? rgb : missing, 1.0) * edge * opacity;
 }`;
 
-const kernelFragment = `#version 300 es
-precision highp float;
-in float colour;
-in float known;
-out vec4 result;
-void main() {
-  vec2 d = 2.0 * gl_PointCoord - 1.0;
-  float w = max(0.0, 1.0 - dot(d, d));
-  w *= w;
-  result = vec4(clamp(colour, 0.0, 1.0) * w * known, w * known, w, 0.0);
-}`;
-
 const quadVertex = `#version 300 es
 void main() {
   gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
 }`;
 
-// The body ends where the summed kernels fall below a quarter of their value inside a full lattice (2.36).
+// Sums of the points' splines (field.ts), divided here so that what lies between two cells is a mean by weight.
 const fieldFragment = `#version 300 es
 precision highp float;
 uniform sampler2D field, map;
-uniform vec2 size;
+uniform vec4 window;   // of gl_FragCoord on the grid of sums: offset, factor
+uniform vec2 edge;
 uniform vec3 missing;
 uniform float opacity;
 out vec4 result;
 void main() {
-  vec4 sum = texture(field, gl_FragCoord.xy / size);
-  float body = smoothstep(0.5, 0.7, sum.b);
+  vec4 sum = texture(field, window.xy + gl_FragCoord.xy * window.zw);
+  float body = smoothstep(edge.x, edge.y, sum.b);
   if (body <= 0.0) discard;
-  float v = sum.g > 0.01 ? sum.r / sum.g : 0.0;
+  bool known = sum.g > 0.01;
+  float v = known ? sum.r / sum.g : 0.0;
   vec3 rgb = texelFetch(map, ivec2(int(clamp(v, 0.0, 1.0) * ${mapSize - 1}.0 + 0.5), 0), 0).rgb;
-  result = vec4(sum.g > 0.01 ? rgb : missing, 1.0) * body * opacity;
+  result = vec4(known ? rgb : missing, 1.0) * body * opacity;
 }`;
 
-/** Diameter of a disc in spacings of the points: on a full lattice only a pinhole is left between four of them. */
-const discWidth = 1.3;
-/** Diameter of a kernel in spacings of the points. */
-const kernelWidth = 3;
-/** Pixels of the sum's texture per kernel: more would cost time and show nothing. */
-const kernelPixels = 14;
+/** Diameter of a disc in spacings of the points: on a full lattice four of them just meet. */
+const discWidth = 1.42;
 
 interface Program {
   program: WebGLProgram;
@@ -109,8 +96,6 @@ function link(gl: WebGL2RenderingContext, vertex: string, fragment: string): Pro
 interface Upload {
   buffer: WebGLBuffer;
   array: WebGLVertexArrayObject;
-  map: WebGLTexture;
-  shownMap: Uint8Array | null;
   count: number;
   frame: number;
   values: Float32Array | null | undefined;
@@ -142,16 +127,15 @@ export function webglPainter(canvas: HTMLCanvasElement, lost: () => void): Paint
     event.preventDefault();
     lost();
   });
-  const canSmooth = gl.getExtension("EXT_color_buffer_float") !== null || gl.getExtension("EXT_color_buffer_half_float") !== null;
   const discs = link(gl, pointVertex, discFragment);
-  const kernels = link(gl, pointVertex, kernelFragment);
   const fields = link(gl, quadVertex, fieldFragment);
   const uploads = new Map<string, Upload>();
+  const maps = new Map<string, { texture: WebGLTexture; shown: Uint8Array | null }>();
   const sum = gl.createTexture()!;
-  const target = gl.createFramebuffer()!;
   const empty = gl.createVertexArray();
   let [width, height, ratio] = [1, 1, 1];
   let sumSize = [0, 0];
+  let sums = new Float32Array(0);
 
   function upload(layer: Layer, frame: number): Upload {
     let u = uploads.get(layer.series.name);
@@ -164,7 +148,7 @@ export function webglPainter(canvas: HTMLCanvasElement, lost: () => void): Paint
       gl.vertexAttribPointer(0, 4, gl.FLOAT, false, 24, 0);
       gl.enableVertexAttribArray(1);
       gl.vertexAttribPointer(1, 2, gl.FLOAT, false, 24, 16);
-      u = { buffer, array, map: gl.createTexture()!, shownMap: null, count: 0, frame: -1, values: undefined };
+      u = { buffer, array, count: 0, frame: -1, values: undefined };
       uploads.set(layer.series.name, u);
     }
     if (u.frame !== frame || u.values !== layer.values) {
@@ -175,15 +159,20 @@ export function webglPainter(canvas: HTMLCanvasElement, lost: () => void): Paint
       u.frame = frame;
       u.values = layer.values;
     }
-    if (u.shownMap !== layer.map) {
-      gl.activeTexture(gl.TEXTURE0);
-      gl.bindTexture(gl.TEXTURE_2D, u.map);
-      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, mapSize, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, layer.map);
-      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
-      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
-      u.shownMap = layer.map;
-    }
     return u;
+  }
+
+  /** Binds the layer's colours to texture unit 0. */
+  function bindMap(layer: Layer) {
+    let m = maps.get(layer.series.name);
+    if (!m) maps.set(layer.series.name, (m = { texture: gl.createTexture()!, shown: null }));
+    gl.activeTexture(gl.TEXTURE0);
+    gl.bindTexture(gl.TEXTURE_2D, m.texture);
+    if (m.shown === layer.map) return;
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, mapSize, 1, 0, gl.RGBA, gl.UNSIGNED_BYTE, layer.map);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+    m.shown = layer.map;
   }
 
   function points(p: Program, u: Upload, layer: Layer, scene: Scene, diameter: number) {
@@ -209,8 +198,7 @@ export function webglPainter(canvas: HTMLCanvasElement, lost: () => void): Paint
   function drawDiscs(layer: Layer, scene: Scene) {
     const u = upload(layer, scene.frame);
     gl.useProgram(discs.program);
-    gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, u.map);
+    bindMap(layer);
     gl.uniform1i(discs.at("map"), 0);
     gl.uniform3fv(discs.at("missing"), scene.missing);
     gl.uniform1f(discs.at("opacity"), layer.opacity);
@@ -221,45 +209,44 @@ export function webglPainter(canvas: HTMLCanvasElement, lost: () => void): Paint
   }
 
   function drawField(layer: Layer, scene: Scene) {
-    const u = upload(layer, scene.frame);
-    const kernel = kernelWidth * layer.series.spacing * scene.camera.scale * ratio;
-    const share = Math.min(1, Math.max(0.15, kernelPixels / kernel));
-    const size = [Math.ceil(width * ratio * share), Math.ceil(height * ratio * share)];
-    gl.activeTexture(gl.TEXTURE0);
+    const field = sumField(layer, scene, ratio, sums);
+    const { nx, ny, cell } = field;
+    sums = field.data;
+    gl.activeTexture(gl.TEXTURE1);
     gl.bindTexture(gl.TEXTURE_2D, sum);
-    if (size[0] !== sumSize[0] || size[1] !== sumSize[1]) {
-      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA16F, size[0], size[1], 0, gl.RGBA, gl.HALF_FLOAT, null);
+    if (nx > sumSize[0] || ny > sumSize[1]) {
+      sumSize = [Math.max(nx, sumSize[0]), Math.max(ny, sumSize[1])];
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA16F, sumSize[0], sumSize[1], 0, gl.RGBA, gl.FLOAT, null);
       for (const side of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, side, gl.CLAMP_TO_EDGE);
       for (const way of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, way, gl.LINEAR);
-      sumSize = size;
     }
-    gl.bindFramebuffer(gl.FRAMEBUFFER, target);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, sum, 0);
-    gl.viewport(0, 0, size[0], size[1]);
-    gl.disable(gl.SCISSOR_TEST);
-    gl.clearColor(0, 0, 0, 0);
-    gl.clear(gl.COLOR_BUFFER_BIT);
-    gl.blendFunc(gl.ONE, gl.ONE);
-    points(kernels, u, layer, scene, Math.max(3, kernel * share));
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.viewport(0, 0, width * ratio, height * ratio);
-    clip(scene, ratio);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, nx, ny, gl.RGBA, gl.FLOAT, sums);
     gl.useProgram(fields.program);
-    gl.activeTexture(gl.TEXTURE1);
-    gl.bindTexture(gl.TEXTURE_2D, u.map);
-    gl.uniform1i(fields.at("field"), 0);
-    gl.uniform1i(fields.at("map"), 1);
-    gl.uniform2f(fields.at("size"), width * ratio, height * ratio);
+    bindMap(layer);
+    gl.uniform1i(fields.at("map"), 0);
+    gl.uniform1i(fields.at("field"), 1);
+    // A pixel of the canvas is 1 / (scale · ratio) metres; the plot's lower left corner is the grid's.
+    const c = scene.camera;
+    const pixel = 1 / (c.scale * ratio * cell);
+    const [left, bottom] = [c.left * ratio, (height - c.top - c.height) * ratio];
+    gl.uniform4f(fields.at("window"), (-left * pixel) / sumSize[0], (-bottom * pixel) / sumSize[1], pixel / sumSize[0], pixel / sumSize[1]);
+    gl.uniform2f(fields.at("edge"), ...bodyEdge);
     gl.uniform3fv(fields.at("missing"), scene.missing);
     gl.uniform1f(fields.at("opacity"), layer.opacity);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.bindVertexArray(empty);
+    // Every pixel costs where the processor draws, so none is drawn beyond the points.
+    const [right, top] = [left + c.width * ratio, bottom + c.height * ratio];
+    const at = (start: number, end: number, cells: number) => Math.min(end, Math.max(start, Math.round(start + cells / pixel)));
+    const [l, b, r, t] = [at(left, right, field.box[0]), at(bottom, top, field.box[1]), at(left, right, field.box[2]), at(bottom, top, field.box[3])];
+    if (r <= l || t <= b) return;
+    gl.scissor(l, b, r - l, t - b);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+    clip(scene, ratio);
   }
 
   return {
     kind: "webgl",
-    canSmooth,
     resize(w, h, r) {
       [width, height, ratio] = [w, h, r];
       canvas.width = Math.round(w * r);
@@ -274,7 +261,7 @@ export function webglPainter(canvas: HTMLCanvasElement, lost: () => void): Paint
       clip(scene, ratio);
       // Names cannot be averaged, so a category is always drawn as points.
       for (const layer of scene.layers)
-        if (scene.smooth && canSmooth && !layer.category) drawField(layer, scene);
+        if (scene.smooth && !layer.category) drawField(layer, scene);
         else drawDiscs(layer, scene);
     },
   };

@@ -1,5 +1,6 @@
 // A headless Chromium for the tests: a fresh profile each time, nothing in the background.
-import { existsSync, mkdtempSync, rmSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -28,7 +29,8 @@ export async function open({ width = 1280, height = 900, args = [], scheme = "li
   page.on("request", (request) => seen.requests.push(request.url()));
   const begin = Date.now();
   await page.goto(pathToFileURL(file).href);
-  await page.waitForSelector("html[data-ready=yes]", { state: "attached", timeout: 60000 });
+  // Pages of tables only (studies, verification) have no script and are ready at once.
+  await page.waitForSelector("html[data-ready=yes], body:not(:has(script))", { state: "attached", timeout: 60000 });
   const ready = Date.now() - begin;
   const close = async () => {
     await context.close();
@@ -58,3 +60,12 @@ export const lattice = (page) =>
     }
     return { drawn: drawn / (pixels.length / 4), colours: colours.size, picture: Array.from(pixels).join() };
   });
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+/** What axe finds against the rules of accessibility. It runs beside the page's own policy, which forbids scripts from elsewhere. */
+export async function axeFaults(page) {
+  await page.evaluate(axe);
+  const { violations } = await page.evaluate(() => axe.run());
+  return violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(", ")}`);
+}

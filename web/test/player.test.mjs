@@ -70,6 +70,8 @@ describe("the player", () => {
     assert.equal(await place(), 1);
     await press("End");
     assert.equal(await place(), (await page.evaluate(() => window.polder.page.times.length)) - 1);
+    const home = (await lattice(page)).picture;
+    await press("0");
     const whole = (await lattice(page)).picture;
     await press("s");
     assert.notEqual((await lattice(page)).picture, whole, "S hides the soil");
@@ -78,6 +80,9 @@ describe("the player", () => {
     assert.notEqual((await lattice(page)).picture, whole, "+ zooms");
     await press("0");
     assert.equal((await lattice(page)).picture, whole, "0 shows all again");
+    await page.locator(".points").dblclick();
+    await settle(page);
+    assert.equal((await lattice(page)).picture, home, "a double click shows what the run fills");
     await press("?");
     assert.ok(await page.locator("dialog.help").isVisible());
     await press("Escape");
@@ -204,7 +209,11 @@ describe("without WebGL", () => {
     const last = await lattice(page);
     assert.notEqual(last.picture, first.picture);
     assert.ok(last.colours > 10, `only ${last.colours} colours`);
-    assert.ok(await page.getByLabel("smooth field").isDisabled());
+    await page.getByLabel("smooth field").check();
+    await settle(page);
+    const smooth = await lattice(page);
+    assert.notEqual(smooth.picture, last.picture);
+    assert.ok(Math.abs(smooth.drawn - last.drawn) < 0.1 * last.drawn, `${smooth.drawn} is drawn, ${last.drawn} as points`);
     assert.deepEqual(seen.errors, []);
   });
 });

@@ -1,5 +1,6 @@
 #include "polder/case/model_json.hpp"
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -150,28 +151,37 @@ Json rain_json(const Rain& r) {
   return json;
 }
 
-/// What the curves are, as numbers: enough to tell two cases apart.
+/// How a soil holds water and conducts it, in SI units.
 Json retention_json(const MaterialRetention& r) {
-  Json json{{"material", r.material}, {"model", r.retention.index()}, {"conductivity", r.curve.index()}};
-  if (const auto* v = std::get_if<LinearRetention>(&r.retention)) json["numbers"] = {v->slope, v->residual};
+  constexpr std::array models{"linear", "van-genuchten", "gardner", "table"};
+  constexpr std::array curves{"constant", "mualem", "hillel", "gardner", "table"};
+  Json json{{"material", r.material}, {"model", models.at(r.retention.index())}};
+  if (const auto* v = std::get_if<LinearRetention>(&r.retention))
+    json.update({{"slope", v->slope}, {"residual", v->residual}});
   if (const auto* v = std::get_if<VanGenuchtenRetention>(&r.retention))
-    json["numbers"] = {v->entry_pressure, v->lambda, v->residual, v->maximum};
-  if (const auto* v = std::get_if<GardnerRetention>(&r.retention)) json["numbers"] = {v->rate, v->residual, v->maximum};
-  if (const auto* v = std::get_if<TableRetention>(&r.retention)) json["numbers"] = {v->saturation.x, v->saturation.y};
-  if (const auto* v = std::get_if<MualemConductivity>(&r.curve)) json["conducts"] = {v->exponent, v->lambda};
-  if (const auto* v = std::get_if<HillelConductivity>(&r.curve)) json["conducts"] = {v->exponent};
-  if (const auto* v = std::get_if<GardnerConductivity>(&r.curve)) json["conducts"] = {v->rate};
-  if (const auto* v = std::get_if<TableConductivity>(&r.curve)) json["conducts"] = {v->relative.x, v->relative.y};
+    json.update({{"entry_pressure", v->entry_pressure},
+                 {"lambda", v->lambda},
+                 {"residual", v->residual},
+                 {"maximum", v->maximum}});
+  if (const auto* v = std::get_if<GardnerRetention>(&r.retention))
+    json.update({{"rate", v->rate}, {"residual", v->residual}, {"maximum", v->maximum}});
+  if (const auto* v = std::get_if<TableRetention>(&r.retention)) add_table(json, "saturation", v->saturation);
+  json["conductivity"] = curves.at(r.curve.index());
+  if (const auto* v = std::get_if<MualemConductivity>(&r.curve))
+    json.update({{"mualem_exponent", v->exponent}, {"mualem_lambda", v->lambda}});
+  if (const auto* v = std::get_if<HillelConductivity>(&r.curve)) json["hillel_exponent"] = v->exponent;
+  if (const auto* v = std::get_if<GardnerConductivity>(&r.curve)) json["conductivity_rate"] = v->rate;
+  if (const auto* v = std::get_if<TableConductivity>(&r.curve)) add_table(json, "relative_conductivity", v->relative);
   return json;
 }
 
 Json condition_json(const SeepageCondition& c) {
   Json json{{"name", c.name},
-            {"condition", c.kind},
-            {"line", c.line},
-            {"rate", {c.rate.x, c.rate.y}},
-            {"head", {c.head.x, c.head.y}}};
-  if (c.head_at_end) json["head_at_end"] = {c.head_at_end->x, c.head_at_end->y};
+            {"condition", word("seepage_boundary", "condition", static_cast<int>(c.kind))},
+            {"line", c.line}};
+  if (c.kind == SeepageCondition::Kind::head) add_table(json, "head", c.head);
+  if (c.head_at_end) add_table(json, "head_at_end", *c.head_at_end);
+  if (c.kind == SeepageCondition::Kind::rain) add_table(json, "rate", c.rate);
   return json;
 }
 

@@ -19,6 +19,15 @@ Json list_of(const Json& inputs, const char* section) {
   return list.is_array() ? list : Json::array();
 }
 
+/// Rows of two numbers, by time; none where the list is something else.
+Json rows_of(const Json& object, const char* key) {
+  const Json list = list_of(object, key);
+  const bool good = std::all_of(list.begin(), list.end(), [](const Json& row) {
+    return row.is_array() && row.size() == 2 && row[0].is_number() && row[1].is_number();
+  });
+  return good ? list : Json::array();
+}
+
 std::string text_of(const Json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : "";
@@ -98,24 +107,86 @@ std::string place_text(const Json& boundary) {
   return text;
 }
 
-std::string head_text(const Json& boundary) {
-  const Json head = list_of(boundary, "head");
-  if (head.empty()) return "–";
-  const auto level = [](const Json& row) { return number_text(row.at(1).get<double>()) + " m"; };
-  if (head.size() == 1) return level(head[0]);
-  return fmt::format("{} to {} in {}", level(head.front()), level(head.back()),
-                     time_text(head.back().at(0).get<double>()));
+/// A table by time, as "2.5 m to 6 m in 18 h" or, with a way back, by its extremes.
+std::string course_text(const Json& table, const char* quantity) {
+  const Quantity* known = find_quantity(quantity);
+  const auto shown = [&](const Json& row) {
+    const double value = row.at(1).get<double>();
+    return known ? typeset(show_measure(value, *known)) : number_text(value);
+  };
+  if (table.empty()) return "";
+  if (table.size() == 1) return shown(table[0]);
+  const auto [low, high] = std::minmax_element(table.begin(), table.end(), [](const Json& a, const Json& b) {
+    return a.at(1).get<double>() < b.at(1).get<double>();
+  });
+  const std::string time = time_text(table.back().at(0).get<double>());
+  const auto ends = std::minmax(table.front().at(1).get<double>(), table.back().at(1).get<double>());
+  if (ends.first <= low->at(1).get<double>() && ends.second >= high->at(1).get<double>())
+    return fmt::format("{} to {} in {}", shown(table.front()), shown(table.back()), time);
+  return fmt::format("{} to {}, {} after {}", shown(*low), shown(*high), shown(table.back()), time);
 }
 
-PageTable boundaries(const Json& list) {
-  PageTable table{"boundaries", "Boundaries", "", {"Boundary", "Where", "Soil", "Water", "Head"}, {}, {}};
+/// What is given there: a head, a discharge, a motion, a pressure.
+std::string given_text(const Json& boundary) {
+  struct Course {
+    const char *key, *name, *quantity;
+  };
+  std::vector<std::string> parts;
+  for (const Course& c : {Course{"head", "head", "length"},
+                          {"head_at_end", "at its end", "length"},
+                          {"rate", "rain", "velocity"},
+                          {"inflow", "inflow", "velocity"},
+                          {"discharge", "discharge", "discharge"},
+                          {"slide", "slides", "velocity"},
+                          {"push", "moves", "velocity"},
+                          {"pressure", "pressure", "pressure"}})
+    if (const std::string text = course_text(rows_of(boundary, c.key), c.quantity); !text.empty())
+      parts.push_back(fmt::format("{} {}", c.name, text));
+  return parts.empty() ? "–" : fmt::format("{}", fmt::join(parts, "; "));
+}
+
+/// Boundaries of the model, of the water in the ground, and loads.
+PageTable boundaries(const Json& inputs) {
+  PageTable table{"boundaries", "Boundaries", "", {"Boundary", "Where", "Soil", "Water", "Given"}, {}, {}};
   table.numeric.assign(table.columns.size(), false);
-  for (const Json& b : list)
-    table.rows.push_back({{words(text_of(b, "name")), {}, {}},
-                          {place_text(b), {}, {}},
-                          {text_of(b, "soil"), {}, {}},
-                          {text_of(b, "water"), {}, {}},
-                          {head_text(b), {}, {}}});
+  const auto add = [&](const Json& b, const std::string& where, const std::string& soil, const std::string& water) {
+    table.rows.push_back({{words(text_of(b, "name"))}, {where}, {soil}, {water}, {given_text(b)}});
+  };
+  for (const Json& b : list_of(inputs, "boundary")) add(b, place_text(b), text_of(b, "soil"), text_of(b, "water"));
+  for (const Json& b : list_of(inputs, "seepage_boundary")) add(b, place_text(b), "–", text_of(b, "condition"));
+  const auto over = [](const Json& span) {
+    return span.size() == 2 ? fmt::format("x from {} to {} m", number_text(span[0]), number_text(span[1]))
+                            : "everywhere";
+  };
+  for (const Json& rain : list_of(inputs, "rain")) add(rain, over(list_of(rain, "span")), "–", "rain");
+  for (const Json& well : list_of(inputs, "well")) add(well, point_text(list_of(well, "at")), "–", "well");
+  for (const Json& load : list_of(inputs, "load")) add(load, over(list_of(load, "span")), "load", "–");
+  const Json initial = inputs.is_object() ? inputs.value("initial", Json()) : Json();
+  std::string line;
+  for (const Json& point : list_of(initial, "water_table")) line += (line.empty() ? "" : " – ") + point_text(point);
+  if (!line.empty()) table.note = "Water table at the start: " + line + " m.";
+  return table;
+}
+
+/// How each soil holds water, where pores may hold air.
+PageTable retention(const Json& list) {
+  PageTable table{"retention", "Water in the pores", "", {"Quantity"}, {false}, {}};
+  std::vector<std::string> keys;
+  for (const Json& soil : list) {
+    table.columns.push_back(words(text_of(soil, "material")));
+    table.numeric.push_back(true);
+    for (const auto& [key, value] : soil.items())
+      if (key != "material" && !value.is_array() && std::find(keys.begin(), keys.end(), key) == keys.end())
+        keys.push_back(key);
+  }
+  for (const std::string& key : keys) {
+    const char* quantity = key == "entry_pressure" ? "pressure" : "";
+    const std::string unit = key == "slope" || key.ends_with("rate") ? " 1/Pa" : "";
+    std::vector<PageCell> row{{words(key)}};
+    for (const Json& soil : list)
+      row.push_back({soil.contains(key) ? value_text(soil[key], quantity) + unit : std::string("–")});
+    table.rows.push_back(row);
+  }
   return table;
 }
 
@@ -132,12 +203,34 @@ std::string what_happens(const Json& stage) {
   return parts.empty() ? "–" : fmt::format("{}", fmt::join(parts, "; "));
 }
 
-PageTable stages(const Json& list) {
+/// What is dug, placed, switched on or taken away as a stage begins.
+std::string what_changes(const Json& inputs, const std::string& stage) {
+  std::vector<std::string> parts;
+  for (const Json& change : list_of(inputs, "change")) {
+    if (text_of(change, "stage") != stage) continue;
+    std::string name = text_of(change, "name");
+    if (name.empty()) name = text_of(change, "material");
+    parts.push_back(text_of(change, "action") + (name.empty() ? "" : " " + name));
+  }
+  for (const char* section : {"wall", "load", "well"})
+    for (const Json& thing : list_of(inputs, section)) {
+      const std::string name = text_of(thing, "name").empty() ? section : text_of(thing, "name");
+      if (text_of(thing, "from_stage") == stage) parts.push_back(name + " from here on");
+      if (text_of(thing, "until_stage") == stage) parts.push_back(name + " until here");
+    }
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+PageTable stages(const Json& inputs) {
+  const Json list = list_of(inputs, "stage");
   PageTable table{"stages", "Stages", "", {"Stage", "Duration", "What is special"}, {false, true, false}, {}};
-  for (const Json& s : list)
-    table.rows.push_back({{words(text_of(s, "name")), {}, {}},
-                          {s.contains("duration") ? time_text(s["duration"].get<double>()) : "–", {}, {}},
-                          {what_happens(s), {}, {}}});
+  for (const Json& s : list) {
+    std::string text = what_happens(s);
+    if (const std::string changes = what_changes(inputs, text_of(s, "name")); !changes.empty())
+      text = text == "–" ? changes : changes + "; " + text;
+    table.rows.push_back(
+        {{words(text_of(s, "name"))}, {s.contains("duration") ? time_text(s["duration"].get<double>()) : "–"}, {text}});
+  }
   return table;
 }
 
@@ -152,8 +245,9 @@ std::vector<std::string> material_names(const Json& inputs) {
 std::vector<PageTable> case_tables(const Json& inputs) {
   std::vector<PageTable> tables;
   if (const Json list = list_of(inputs, "material"); !list.empty()) tables.push_back(materials(list));
-  if (const Json list = list_of(inputs, "boundary"); !list.empty()) tables.push_back(boundaries(list));
-  if (const Json list = list_of(inputs, "stage"); !list.empty()) tables.push_back(stages(list));
+  if (const Json list = list_of(inputs, "retention"); !list.empty()) tables.push_back(retention(list));
+  if (PageTable table = boundaries(inputs); !table.rows.empty()) tables.push_back(std::move(table));
+  if (PageTable table = stages(inputs); !table.rows.empty()) tables.push_back(std::move(table));
   return tables;
 }
 
@@ -167,6 +261,20 @@ std::vector<PageMonitor> page_monitors(const Json& inputs, std::size_t up) {
     if (!shown.points.empty()) monitors.push_back(shown);
   }
   return monitors;
+}
+
+std::vector<PageLevel> page_levels(const Json& inputs) {
+  std::vector<PageLevel> levels;
+  for (const Json& boundary : list_of(inputs, "seepage_boundary")) {
+    if (text_of(boundary, "condition") != "head" || !list_of(boundary, "head_at_end").empty()) continue;
+    PageLevel level{text_of(boundary, "name"), {}, {}};
+    for (const Json& point : rows_of(boundary, "line"))
+      level.line.push_back({point.at(0).get<double>(), point.at(1).get<double>()});
+    for (const Json& row : rows_of(boundary, "head"))
+      level.head.push_back({row.at(0).get<double>(), row.at(1).get<double>()});
+    if (level.line.size() > 1 && !level.head.empty()) levels.push_back(std::move(level));
+  }
+  return levels;
 }
 
 }  // namespace polder

@@ -17,4 +17,7 @@ std::vector<PageTable> case_tables(const nlohmann::ordered_json& inputs);
 /// Where monitors are, in the section; `up` is the axis of height.
 std::vector<PageMonitor> page_monitors(const nlohmann::ordered_json& inputs, std::size_t up);
 
+/// Where water stands on the ground at a given level, without water points (unsaturated formulation).
+std::vector<PageLevel> page_levels(const nlohmann::ordered_json& inputs);
+
 }  // namespace polder

@@ -81,20 +81,32 @@ Json json_of(const PagePoints& points) {
 }
 
 Json json_of(const Page& page) {
-  Json json{{"format", format_version},      {"title", page.title},
-            {"summary", page.summary},       {"status", page.status},
-            {"reason", page.reason},         {"version", page.version},
-            {"reload", page.reload_seconds}, {"size", page.size},
-            {"facts", Json::array()},        {"notes", page.notes},
-            {"times", page.times},           {"sets", Json::array()},
-            {"outlines", page.outlines},     {"walls", page.walls},
-            {"monitors", Json::array()},     {"history", json_of(page.history)},
-            {"figures", Json::array()},      {"tables", Json::array()},
+  Json json{{"format", format_version},
+            {"title", page.title},
+            {"summary", page.summary},
+            {"status", page.status},
+            {"reason", page.reason},
+            {"version", page.version},
+            {"reload", page.reload_seconds},
+            {"size", page.size},
+            {"facts", Json::array()},
+            {"notes", page.notes},
+            {"times", page.times},
+            {"sets", Json::array()},
+            {"outlines", page.outlines},
+            {"walls", page.walls},
+            {"monitors", Json::array()},
+            {"levels", Json::array()},
+            {"history", json_of(page.history)},
+            {"figures", Json::array()},
+            {"tables", Json::array()},
             {"inputs", page.inputs}};
   for (const PageFact& f : page.facts)
     json["facts"].push_back({{"label", f.label}, {"value", f.value}, {"unit", f.unit}, {"note", f.note}});
   for (const PagePoints& points : page.points) json["sets"].push_back(json_of(points));
   for (const PageMonitor& m : page.monitors) json["monitors"].push_back({{"name", m.name}, {"points", m.points}});
+  for (const PageLevel& l : page.levels)
+    json["levels"].push_back({{"name", l.name}, {"line", l.line}, {"head", l.head}});
   for (const PageFigure& f : page.figures) json["figures"].push_back({{"title", f.title}, {"source", f.source}});
   for (const PageTable& table : page.tables) json["tables"].push_back(json_of(table));
   return json;
@@ -145,7 +157,15 @@ std::string render_page(const Page& page) {
 }
 
 std::string render_plain_page(std::string_view title, std::string_view body) {
-  return head(title) + fmt::format("<main id=\"polder\">{}</main>\n</body>\n</html>\n", body);
+  return head(title) +
+         fmt::format(
+             "<main id=\"polder\" class=\"plain-page\"><p class=\"brand\">Polder</p>\n{}</main>\n</body>\n</html>\n",
+             body);
+}
+
+std::string svg_figure(const std::string& svg, std::string_view name) {
+  return fmt::format("<figure class=\"drawing\" tabindex=\"0\" role=\"group\" aria-label=\"{}\">{}</figure>\n",
+                     escaped(name), svg);
 }
 
 }  // namespace polder

@@ -38,6 +38,13 @@ struct PageMonitor {
   Line2 points;  ///< m, in the section
 };
 
+/// Still water over the part of the ground that lies on a line.
+struct PageLevel {
+  std::string name;
+  Line2 line;  ///< m, in the section
+  Line2 head;  ///< (s, m)
+};
+
 /// A picture with its bytes inside the page.
 struct PageFigure {
   std::string title;
@@ -64,6 +71,7 @@ struct Page {
   std::vector<PagePoints> points;
   std::vector<Line2> outlines, walls;
   std::vector<PageMonitor> monitors;
+  std::vector<PageLevel> levels;
   History history;
   std::vector<PageFigure> figures;
   std::vector<PageTable> tables;
@@ -75,5 +83,8 @@ std::string render_page(const Page& page);
 /// The same head, style and foot around other content, for pages without a player (studies, verification).
 /// `body` is HTML; `title` is text.
 std::string render_plain_page(std::string_view title, std::string_view body);
+
+/// A drawing in the text of such a page; on a narrow screen it scrolls. `name` says what it shows.
+std::string svg_figure(const std::string& svg, std::string_view name);
 
 }  // namespace polder

@@ -16,7 +16,7 @@ struct Viewing {
 
 /// Fields that are not simply "from little to much".
 constexpr std::array viewings{
-    Viewing{"excess_pressure", FieldScale::diverging, ""},
+    Viewing{"excess_pressure", FieldScale::diverging, "beyond that of still water up to the water over it"},
     Viewing{"volumetric_strain", FieldScale::diverging, "positive: looser"},
     Viewing{"mean_effective_stress", FieldScale::sequential, "compression positive"},
     Viewing{"vertical_effective_stress", FieldScale::sequential, "tension positive"},
@@ -27,8 +27,8 @@ constexpr std::array viewings{
 };
 
 /// What readers look for first; the rest follows as the snapshot has it.
-constexpr std::array first_of_all{"deviatoric_strain", "displacement",    "porosity",         "pore_pressure",
-                                  "pressure",          "excess_pressure", "effective_stress", "plastic_strain"};
+constexpr std::array first_of_all{"deviatoric_strain", "displacement", "porosity",         "pore_pressure", "pressure",
+                                  "excess_pressure",   "saturation",   "effective_stress", "plastic_strain"};
 
 bool says_loss_of_contact(const std::string& key) { return key == "liquefied" || key == "fluidised" || key == "fluid"; }
 

@@ -52,16 +52,21 @@ PageFact length_fact(const char* label, double metres, double largest, std::stri
 
 std::string metres_text(double metres) { return number_text(metres) + " m"; }
 
-/// The residual crest height and the run-out, where soil has moved by more than half a point's spacing.
+/// The residual crest height and the run-out, where soil has moved by more than half a point's spacing; else how far it
+/// has moved at most.
 void add_shape_facts(Page& page, const RunPoints& points) {
   const SoilShape &first = points.first, &last = points.last;
   if (!first.any || !last.any) return;
   const double half = 0.5 * points.soil_spacing;
   const double reach = run_out(first, last);
-  if (std::abs(last.crest - first.crest) < half && reach < half && last.moved < half) return;
+  const bool still = std::abs(last.crest - first.crest) < half && reach < half && last.moved < half;
+  if (still && last.moved > 1e-3 * half)
+    page.facts.push_back(length_fact("Largest displacement", last.moved, last.moved, "of the soil"));
+  if (still) return;
   page.facts.push_back(
       length_fact("Residual crest height", last.crest, last.crest, "of " + metres_text(first.crest) + " at the start"));
-  page.facts.push_back(length_fact("Run-out", reach, reach, "beyond the soil's first extent"));
+  page.facts.push_back(reach < half ? PageFact{"Run-out", "none", "", "the soil keeps its first extent"}
+                                    : length_fact("Run-out", reach, reach, "beyond the soil's first extent"));
   if (last.moved > 0) page.facts.push_back(length_fact("Largest displacement", last.moved, last.moved, "of the soil"));
 }
 
@@ -86,7 +91,8 @@ std::string summary_sentence(const Json& summary, const RunPoints& points, const
     parts.push_back(fmt::format("{}, {} × {} m", points.dimension == 3 ? "Three dimensions, section" : "Plane strain",
                                 number_text(points.size[0]), number_text(points.size[1])));
   for (const Fact& fact : run_facts(summary))
-    if (fact.label == "soil points" || fact.label == "water points") parts.push_back(fact.value + " " + fact.label);
+    if ((fact.label == "soil points" || fact.label == "water points") && fact.value != "0")
+      parts.push_back(fact.value + " " + fact.label);
   std::string text = fmt::format("{}", fmt::join(parts, ", "));
   if (!text.empty()) text += ". ";
   std::string reason = text_of(summary, "reason");
@@ -205,6 +211,7 @@ Page run_page(const fs::path& folder, const ReportOptions& options) {
   page.outlines = points.outlines;
   page.walls = points.walls;
   page.monitors = page_monitors(page.inputs, points.dimension == 3 ? 2 : 1);
+  if (points.dimension == 2) page.levels = page_levels(page.inputs);
   if (points.soil.entries() > 0) page.points.push_back({encode(points.soil), points.soil_spacing});
   if (points.water.entries() > 0) page.points.push_back({encode(points.water), points.water_spacing});
 

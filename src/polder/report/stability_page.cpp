@@ -57,7 +57,7 @@ std::string factor_table(const Assessment& all) {
          row.expected ? fmt::format("{:.3f} ± {:.1f} %", row.expected->reference, 100 * row.expected->tolerance) : "",
          verdict, fmt::format("{:.2f}", row.seconds)});
   }
-  return table({"Method", "Surface", "Factor of safety", "Reference", "", "Seconds"}, rows, 2);
+  return table({"Method", "Surface", "Factor of safety", "Reference", "Verdict", "Seconds"}, rows, 2);
 }
 
 std::string references(const Assessment& all) {
@@ -176,10 +176,9 @@ std::string facts(const Assessment& all) {
 std::string stability_page(const Assessment& all, const std::string& version) {
   const std::string title = all.title.empty() ? all.name : all.title;
   std::string body = fmt::format(
-      "<header class=\"title\"><p class=\"brand\">Polder</p><h1>{}</h1>\n"
+      "<header class=\"title\"><h1>{}</h1>\n"
       "<p class=\"summary\">Factors of safety of {}. By how much the strength may fall before the section slides; not "
-      "how "
-      "far it then goes.</p></header>\n",
+      "how far it then goes.</p></header>\n",
       escaped(title), escaped(all.name));
   body += facts(all);
   for (const std::string& note : all.notes) body += fmt::format("<p class=\"lead\">{}</p>\n", escaped(note));

@@ -20,9 +20,10 @@ std::string block(const std::string& title, const std::string& body) {
   return fmt::format("<section class=\"block\"><h2>{}</h2>\n{}</section>\n", escaped(title), body);
 }
 
-std::string figure(const Chart& chart) {
-  return fmt::format("<figure class=\"drawing\">{}</figure>\n", to_svg(draw_chart(chart)));
-}
+std::string figure(const Chart& chart) { return svg_figure(to_svg(draw_chart(chart)), chart.title); }
+
+/// Side by side where there is room.
+std::string figures(const std::string& list) { return "<div class=\"figures\">\n" + list + "</div>\n"; }
 
 std::string value_text(const Comparison& c) {
   if (!c.computed) return "–";
@@ -32,7 +33,8 @@ std::string value_text(const Comparison& c) {
 }
 
 std::string member_table(const Study& study, const std::vector<MemberResult>& results) {
-  std::string html = "<div class=\"scroll\" tabindex=\"0\"><table><thead><tr><th></th>";
+  std::string html =
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Members\"><table><thead><tr><th>page</th>";
   for (const std::string& label : study.labels) html += fmt::format("<th class=\"number\">{}</th>", escaped(label));
   for (const Measure& measure : study.measures)
     html += fmt::format("<th class=\"number\">{}</th>", escaped(measure.what.quantity));
@@ -129,13 +131,13 @@ std::string study_page(const Study& study, const std::vector<MemberResult>& resu
   std::string curves, profiles;
   for (const std::string& column : study.curves)
     if (const Chart chart = curve_chart(study, results, column); !chart.curves.empty()) curves += figure(chart);
-  if (!curves.empty()) body += block("Curves", curves);
+  if (!curves.empty()) body += block("Curves", figures(curves));
   for (const double time : study.profiles.times) {
     if (const Chart chart = profile_chart(study, folder, time, false); !chart.curves.empty()) profiles += figure(chart);
     if (!study.profiles.water) continue;
     if (const Chart chart = profile_chart(study, folder, time, true); !chart.curves.empty()) profiles += figure(chart);
   }
-  if (!profiles.empty()) body += block("Profiles", profiles);
+  if (!profiles.empty()) body += block("Profiles", figures(profiles));
   return render_plain_page(study.title, body);
 }
 

@@ -40,14 +40,15 @@ std::string report_page(const std::vector<const Problem*>& problems, const std::
                       outcomes.size(), seconds);
   for (std::size_t i = 0; i < problems.size(); ++i) {
     const Problem& problem = *problems[i];
-    body += fmt::format("<section id=\"{0}\"><h2>{0}</h2>\n<p>{1}. Exact: {2}.</p>\n", problem.name,
-                        escaped(problem.title), escaped(problem.theory));
+    body += fmt::format("<section class=\"block\" id=\"{0}\"><h2>{0}</h2>\n<p class=\"lead\">{1}. Exact: {2}.</p>\n",
+                        problem.name, escaped(problem.title), escaped(problem.theory));
     if (!outcomes[i].trouble.empty()) body += fmt::format("<p class=\"fail\">{}</p>\n", escaped(outcomes[i].trouble));
-    if (outcomes[i].figure) body += fmt::format("<figure>{}</figure>\n", to_svg(draw_chart(*outcomes[i].figure)));
-    body +=
-        "<table><thead><tr><th>quantity</th><th>place</th><th>reference</th><th>computed</th><th>error</th>"
-        "<th>tolerance</th><th></th></tr></thead><tbody>\n" +
-        html_rows(outcomes[i]) + "</tbody></table></section>\n";
+    if (outcomes[i].figure) body += svg_figure(to_svg(draw_chart(*outcomes[i].figure)), outcomes[i].figure->title);
+    body += "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(problem.name) +
+            "\"><table><thead><tr><th>quantity</th><th>place</th><th class=\"number\">reference</th>"
+            "<th class=\"number\">computed</th><th class=\"number\">error</th><th class=\"number\">tolerance</th>"
+            "<th>verdict</th></tr></thead><tbody>\n" +
+            html_rows(outcomes[i]) + "</tbody></table></div></section>\n";
   }
   return render_plain_page("Verification", body);
 }

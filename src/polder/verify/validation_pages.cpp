@@ -137,11 +137,11 @@ std::string validation_report(const std::map<std::string, Result>& results) {
     const Result& result = found->second;
     body += fmt::format("<section class=\"block\" id=\"{0}\"><h2>{0}</h2>\n<p class=\"lead\">Against {1}: {2}.</p>\n",
                         validation.name, escaped(validation.against), escaped(state_of(results, validation.name)));
-    if (result.figure)
-      body += fmt::format("<figure class=\"drawing\">{}</figure>\n", to_svg(draw_chart(*result.figure)));
+    if (result.figure) body += svg_figure(to_svg(draw_chart(*result.figure)), result.figure->title);
     body +=
-        "<div class=\"scroll\" tabindex=\"0\"><table><thead><tr><th>quantity</th><th>at</th><th>computed</th>"
-        "<th>reference</th><th></th><th>source</th></tr></thead><tbody>\n";
+        "<div class=\"scroll\" tabindex=\"0\"><table><thead><tr><th>quantity</th><th>at</th><th "
+        "class=\"number\">computed</th>"
+        "<th class=\"number\">reference</th><th>verdict</th><th>source</th></tr></thead><tbody>\n";
     for (const Row& row : result.rows) {
       const bool bad = row.verdict == Verdict::outside || row.verdict == Verdict::not_reached;
       body += fmt::format(
