@@ -100,6 +100,16 @@ TEST(Picture, SheetColoursOneQuantityOnOneScaleAtAllTimes) {
   EXPECT_LT(to_oklab(rgb(*first.begin())).lightness, 0.45);
 }
 
+TEST(Picture, PutsZeroAtTheWhiteOfASignedQuantity) {
+  Frame frame = sample_frame();
+  std::vector<double> excess(frame.soil.size(), 700.0);
+  excess.front() = -200;
+  frame.soil.fields.push_back(make_field("excess_pressure", excess));
+  const Range range = common_range({&frame, 1}, picture_field("excess_pressure"));
+  EXPECT_DOUBLE_EQ(range.low, -range.high);
+  EXPECT_GE(range.high, 700);
+}
+
 TEST(Picture, TextIsHarmlessInSvg) {
   const std::string svg = to_svg(draw_frame(sample_frame(), picture_field("porosity")));
   EXPECT_NE(svg.find("A dike &amp; its &lt;reservoir&gt;"), std::string::npos);

@@ -70,7 +70,7 @@ function homeBox(page: Page, soil: Series | undefined, water: Series | undefined
   const top = Math.max(filled, ...levels);
   const home = { ...all, y1: Math.min(height, 1.12 * top) };
   // On a narrow screen a long section would be a thread: begin at the soil instead.
-  const body = window.innerWidth <= 640 && soil && boundsOf([soil], 1);
+  const body = window.innerWidth <= 640 && width > 2.5 * home.y1 && soil && boundsOf([soil], 1);
   if (!body) return home;
   const air = 0.06 * (body.x1 - body.x0);
   return { x0: Math.max(0, body.x0 - air), x1: Math.min(width, body.x1 + air), y0: 0, y1: Math.min(home.y1, body.y1 + air) };

@@ -75,6 +75,10 @@ ColourBar bar_for(std::span<const Frame> frames, const PictureField& field) {
     Range range = usual_range(values);
     if (field.from_zero) range = {std::min(0.0, range.low), std::max(range.high, 0.0)};
     if (field.from_zero && range.high == range.low) range.high = 1e-3;
+    if (field.map == ColourMap::signs) {  // zero is the map's white
+      const double most = std::max({std::abs(range.low), std::abs(range.high), 1e-12});
+      range = {-most, most};
+    }
     const double factor = display_unit(bar.unit, std::max(std::abs(range.low), std::abs(range.high))).factor;
     const Range round = nice_range({range.low / factor, range.high / factor}, 10);
     bar.range = {round.low * factor, round.high * factor};
