@@ -52,6 +52,15 @@ TEST(CaseTables, ShowHowSoilHoldsWater) {
   EXPECT_EQ(table.rows[1][1].text, "9.81 kPa");
 }
 
+TEST(CaseTables, PrintPowersAsPowers) {
+  const Json inputs =
+      Json::parse(R"({"material": [{"name": "clay", "law": "mohr-coulomb", "horizontal_permeability": 1e-7,
+                                      "vertical_permeability": 1.16e-9}]})");
+  const PageTable table = table_named(case_tables(inputs), "materials");
+  EXPECT_EQ(table.rows[1][2].text, "10⁻⁷ m/s");
+  EXPECT_EQ(table.rows[2][2].text, "1.16·10⁻⁹ m/s");
+}
+
 TEST(PageLevels, AreThoseOfHeadsThatAreTheSameAlongTheirLine) {
   const auto levels = page_levels(levee());
   ASSERT_EQ(levels.size(), 1u);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "polder/result/paint.hpp"
 
 using namespace polder;
@@ -59,6 +61,38 @@ TEST(ModelDrawing, PutsTheSoilAtItsPlaceOnAnEqualScale) {
   const double scale = soil->points[0][1] - soil->points[1][1];  // 1 m high
   EXPECT_NEAR(soil->points[2][0] - soil->points[1][0], 0.1 * scale, 1e-9);
   EXPECT_NEAR(soil->points[3][0] - soil->points[0][0], 2 * scale, 1e-9);
+}
+
+TEST(ModelDrawing, ShowsTheRiverOnUnsaturatedGroundAndLoads) {
+  Model model = sample_model();
+  model.unsaturated = true;
+  SeepageCondition river, drain, face;
+  river.name = "river";
+  river.line = {{2.1, 1}, {4, 0}, {5, 0}};
+  river.head = Table{{0, 10}, {0.2, 0.7}};
+  drain = river;
+  drain.name = "drain";
+  drain.line = {{2, 0}, {3, 0}};  // under the ground: no water stands on it
+  face.kind = SeepageCondition::Kind::seepage;
+  face.line = {{2.1, 1}, {4, 0}, {5, 0}};
+  model.pore_water = {river, drain, face};
+  GroundLoad road;
+  road.name = "road";
+  road.span = {2, 2.1};
+  road.pressure = Table{{0, 1}, {0, 13e3}};
+  model.loads = {road};
+  const std::string svg = to_svg(draw_model(model));
+  for (const char* text : {"river: 0.2 to 0.7 m", "drain: 0.2 to 0.7 m", "ground under a head", "seepage face",
+                           "road: 0 to 13 kPa", "load on the ground"})
+    EXPECT_NE(svg.find(text), std::string::npos) << text;
+  const auto levels = [](const Drawing& drawing) {
+    return std::count_if(drawing.shapes.begin(), drawing.shapes.end(), [](const Shape& shape) {
+      const auto* path = std::get_if<Path>(&shape);
+      return path && path->stroke && path->stroke->width == 1.2 && path->points.size() == 2;
+    });
+  };
+  EXPECT_EQ(levels(draw_model(model)), levels(draw_model(sample_model())) + 3)
+      << "the river's level with the two lines of its mark, not the drain's";
 }
 
 TEST(ModelDrawing, OfAnEmptyBoxIsDrawn) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "polder/case/schema.hpp"
@@ -44,12 +45,30 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
     text.replace(at, from.size(), to);
 }
 
+/// "1.2e-05" as 1.2·10⁻⁵.
+void set_power(std::string& text) {
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos || e == 0 || e + 1 >= text.size()) return;
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (!is_digit(text[e - 1]) || (text[e + 1] != '-' && text[e + 1] != '+')) return;
+  std::size_t begin = e + 2, end = begin;
+  while (end < text.size() && is_digit(text[end])) ++end;
+  while (begin + 1 < end && text[begin] == '0') ++begin;
+  if (begin == end) return;
+  constexpr std::array raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string power = text[e + 1] == '-' ? "10⁻" : "10";
+  for (std::size_t k = begin; k < end; ++k) power += raised[static_cast<std::size_t>(text[k] - '0')];
+  const bool one = text.substr(0, e) == "1";
+  text.replace(one ? 0 : e, end - (one ? 0 : e), one ? power : "·" + power);
+}
+
 /// Units as they are printed, not as they are typed.
 std::string typeset(std::string text) {
   replace_all(text, " deg", "°");
   replace_all(text, "m3", "m³");
   replace_all(text, "m2", "m²");
   if (text.starts_with('-')) text.replace(0, 1, "−");
+  set_power(text);
   return text;
 }
 

@@ -129,6 +129,7 @@ PageTable numbers_table(const Json& summary, const char* key, const char* title,
   for (const auto& [name, value] : numbers.items()) {
     std::string words = name;
     std::replace(words.begin(), words.end(), '_', ' ');
+    if (std::string_view(key) == "kernel_seconds" && value == 0) continue;  // what this formulation does not use
     table.rows.push_back({{words}, {value.is_number() ? number_text(value.get<double>()) : "–"}});
   }
   return table;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "polder/case/wall_line.hpp"
+#include "polder/result/model_actions.hpp"
 #include "polder/result/model_symbols.hpp"
 #include "polder/result/paint.hpp"
 #include "polder/result/panel.hpp"
@@ -160,6 +161,13 @@ std::vector<Entry> legend_entries(const Model& model, const std::vector<Colour>&
     entries.push_back({heavy_dashes, ink::water_line, "open to water"});
   if (any([](const Boundary& b) { return b.soil == SoilCondition::absorbing; }))
     entries.push_back({absorbing_sample, ink::axis, "ground goes on (absorbing)"});
+  const auto along = [&](SeepageCondition::Kind kind) {
+    return std::any_of(model.pore_water.begin(), model.pore_water.end(), [&](const auto& c) { return c.kind == kind; });
+  };
+  if (along(SeepageCondition::Kind::head)) entries.push_back({head_sample, ink::water_line, "ground under a head"});
+  if (along(SeepageCondition::Kind::seepage)) entries.push_back({seepage_sample, ink::water_line, "seepage face"});
+  if (along(SeepageCondition::Kind::rain)) entries.push_back({rain_sample, ink::water_line, "rain"});
+  if (!model.loads.empty()) entries.push_back({load_sample, ink::text, "load on the ground"});
   if (!model.wells.empty()) entries.push_back({well_sample, ink::water_line, "well, drain"});
   if (!model.changes.empty()) entries.push_back({change_sample, ink::soft, "changed by a later stage"});
   const auto gates = std::count_if(model.walls.begin(), model.walls.end(), is_gate);
@@ -248,6 +256,10 @@ Drawing draw_model(const Model& model, const ModelStyle& style) {
   draw_bodies(drawing, panel, model, colours, up);
   drawing.rectangle(panel.x, panel.y, panel.width, panel.height, {}, Stroke{ink::axis, 1, {}});
   for (const Boundary& boundary : model.boundaries) draw_boundary(drawing, panel, boundary);
+  if (model.space == SpaceKind::plane_strain) {
+    draw_pore_water(drawing, panel, model);
+    draw_loads(drawing, panel, model);
+  }
   draw_changes(drawing, panel, model);
   draw_walls(drawing, panel, model, up);
   draw_wells(drawing, panel, model, up);
