@@ -72,6 +72,7 @@ export function makeLegend(series: Series, initial: string, changed: () => void)
   const highInput = h("input", { class: "range-end high", inputmode: "decimal", "aria-label": `${name}: highest value of the colour range` });
   const unit = h("span", { class: "unit" });
   const note = h("span", { class: "legend-note" });
+  const printed = h("span", { class: "printed" }); // for paper, where lists of choices are hidden
   const mode = h(
     "select",
     { class: "quiet", "aria-label": `${name}: range of colours`, title: "Where the range of colours comes from" },
@@ -81,7 +82,7 @@ export function makeLegend(series: Series, initial: string, changed: () => void)
   );
   const scale = h("div", { class: "scale" }, lowInput, bar, highInput, unit);
   const names = h("div", { class: "names" });
-  const element = h("div", { class: `legend ${series.name}` }, h("label", { for: select.id, class: "legend-name" }, name), select, mode, scale, names, note);
+  const element = h("div", { class: `legend ${series.name}` }, h("label", { for: select.id, class: "legend-name" }, name), printed, select, mode, scale, names, note);
 
   let colouring: Colouring = { field: null, low: 0, high: 1, map: flatMap(plain[series.name]), category: false };
   let shownUnit: DisplayUnit = { factor: 1, unit: "" };
@@ -92,6 +93,7 @@ export function makeLegend(series: Series, initial: string, changed: () => void)
     scale.hidden = mode.hidden = !field || category;
     names.hidden = !category;
     note.textContent = field?.note ?? "";
+    printed.textContent = field?.label ?? select.options[0].text;
     names.replaceChildren();
     if (!field) return;
     if (category) {

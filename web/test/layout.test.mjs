@@ -49,6 +49,8 @@ test("the printed page keeps the picture and drops the controls", async (t) => {
   await page.emulateMedia({ media: "print" });
   assert.equal(await page.locator(".transport").isVisible(), false);
   assert.equal(await page.locator(".points").isVisible(), true);
+  assert.equal(await page.locator(".legend.soil .printed").isVisible(), true);
+  assert.match(await page.locator(".legend.soil .printed").textContent(), /strain/);
   const pdf = await page.pdf({ format: "A4" });
   assert.equal(pdf.subarray(0, 4).toString(), "%PDF");
 });
