@@ -51,9 +51,11 @@ struct Choice {
     if (slice && std::abs(points.position[p][1] - middle) > half_width) return false;
     return share >= 1 || lot(points.id[p]) < share;
   }
-  /// Side of the square in the section that a shown point stands for.
+  /// Side of the square in the section that a shown point stands for. The layers of a slice lie behind each other, so
+  /// each of its points is as wide as it is.
   double spacing(double volume) const {
-    return std::sqrt(volume / (slice ? 2 * half_width : 1) / std::min(1.0, share));
+    const double shown = std::min(1.0, share);
+    return slice ? std::cbrt(volume) / std::sqrt(shown) : std::sqrt(volume / shown);
   }
 };
 
