@@ -42,6 +42,7 @@ Multigrid<Space>::Multigrid(const Lattice<Space>& lattice) {
     level.row_sum.assign(static_cast<std::size_t>(level.rows() * sum_length(level)), 0.0F);
     level.inside.resize(static_cast<std::size_t>(level.rows()));
     level.touched = level.inside;
+    for (auto& colour : level.colour) colour.inside.resize(level.inside.size());
     levels_.push_back(std::move(level));
 
     const std::ptrdiff_t total = static_cast<std::ptrdiff_t>(cells[0]) * cells[1] * cells[2];
@@ -74,9 +75,12 @@ void Multigrid<Space>::spread_inside(const std::vector<RowSpan>& inside, int par
       }
     }
     level.cell_count = 0;
-    for (std::size_t row = 0; row < level.inside.size(); ++row) {
-      level.cell_count += level.inside[row].count();
-      level.touched[row] = level.touched[row].joined(level.inside[row]);
+    for (std::ptrdiff_t row = 0; row < level.rows(); ++row) {
+      const RowSpan span = level.inside[row];
+      level.cell_count += span.count();
+      if (level.touched[row] == span) continue;
+      level.touched[row] = level.touched[row].joined(span);
+      for (int c = 0; c < 2; ++c) level.colour[c].inside[row] = colour_row(level, row, c, span);
     }
     deal_out(level.inside, parts, level.bounds);
   }
@@ -86,10 +90,10 @@ template <class Space>
 void Multigrid<Space>::colour_level(Level& level, const Array& diagonal, const std::array<Array, axes>& coupling,
                                     std::ptrdiff_t row0, std::ptrdiff_t row1) {
   for (std::ptrdiff_t row = row0; row < row1; ++row) {
-    const std::ptrdiff_t from = natural_row(level, row), to = coloured_row(level, row);
+    const std::ptrdiff_t from = natural_row(level, row);
     for (int c = 0; c < 2; ++c) {
       Colour& colour = level.colour[c];
-      const auto [begin, end, q] = colour_range(level, row, c, level.touched[row]);
+      const auto [to, begin, end, q] = colour_row(level, row, c, level.touched[row]);
       for (std::ptrdiff_t m = begin; m < end; ++m) {
         const double d = diagonal[from + 2 * m + q];
         colour.diagonal[to + m] = static_cast<float>(d);
@@ -233,8 +237,9 @@ void Multigrid<Space>::smooth(Level& level, int c, bool from_zero, std::ptrdiff_
   Colour& mine = level.colour[c];
   const Colour& other = level.colour[1 - c];
   for (std::ptrdiff_t row = row0; row < row1; ++row) {
-    const auto [begin, end, q] = colour_range(level, row, c, level.inside[row]);
-    const std::ptrdiff_t at = coloured_row(level, row) + begin, count = end - begin;
+    const ColourRow& cells = mine.inside[row];
+    const std::ptrdiff_t at = cells.at(), count = cells.count();
+    const int q = cells.q;
     float* __restrict x = mine.value.data() + at;
     const float* inverse = mine.inverse.data() + at;
     const float* b = mine.right_side.data() + at;
@@ -274,8 +279,9 @@ void Multigrid<Space>::restrict_to(Level& fine, Level& coarse, std::ptrdiff_t ro
     for (std::ptrdiff_t k = 2 * K; k < std::min<std::ptrdiff_t>(2 * K + (axes == 3 ? 2 : 1), fine.cells[2]); ++k)
       for (std::ptrdiff_t j = 2 * J; j < std::min<std::ptrdiff_t>(2 * J + 2, fine.cells[1]); ++j) {
         const std::ptrdiff_t fine_row = j + k * fine.cells[1];
-        const auto [begin, end, q] = colour_range(fine, fine_row, 0, fine.inside[fine_row]);
-        const std::ptrdiff_t at = coloured_row(fine, fine_row) + begin, count = end - begin;
+        const ColourRow& cells = red.inside[fine_row];
+        const std::ptrdiff_t at = cells.at(), count = cells.count();
+        const int q = cells.q;
         const std::ptrdiff_t dy = fine.row_step[1], dz = fine.row_step[2];
         const float *x = red.value.data() + at, *b = red.right_side.data() + at, *d = red.diagonal.data() + at;
         const float *left = red.coupling[0].data() + at, *right = black.coupling[0].data() + at + q;
@@ -288,13 +294,12 @@ void Multigrid<Space>::restrict_to(Level& fine, Level& coarse, std::ptrdiff_t ro
                     load8(right + m) * load8(o + m) + load8(down + m) * load8(oy + m - dy) +
                     load8(up + m) * load8(oy + m + dy);
           if constexpr (axes == 3) r += load8(back + m) * load8(oy + m - dz) + load8(front + m) * load8(oy + m + dz);
-          store8(sum + begin + m, load8(sum + begin + m) + r);
+          store8(sum + cells.begin + m, load8(sum + cells.begin + m) + r);
         }
       }
-    const std::ptrdiff_t to = coloured_row(coarse, row);
-    for (int c = 0; c < 2; ++c) {
-      const auto [begin, end, q] = colour_range(coarse, row, c, span);
-      float* b = coarse.colour[c].right_side.data() + to;
+    for (Colour& colour : coarse.colour) {
+      const auto [start, begin, end, q] = colour.inside[row];
+      float* b = colour.right_side.data() + start;
       for (std::ptrdiff_t m = begin; m < end; ++m) b[m] = sum[2 * m + q];
     }
   }
@@ -307,18 +312,16 @@ void Multigrid<Space>::prolong_to(Level& coarse, Level& fine, std::ptrdiff_t row
     if (span.count() == 0) continue;
     const std::ptrdiff_t J = row % coarse.cells[1], K = row / coarse.cells[1];
     float* e = coarse.row_sum.data() + row * sum_length(coarse);  // the coarse row in natural order
-    const std::ptrdiff_t from = coloured_row(coarse, row);
-    for (int C = 0; C < 2; ++C) {
-      const auto [begin, end, Q] = colour_range(coarse, row, C, span);
-      const float* value = coarse.colour[C].value.data() + from;
+    for (const Colour& colour : coarse.colour) {
+      const auto [start, begin, end, Q] = colour.inside[row];
+      const float* value = colour.value.data() + start;
       for (std::ptrdiff_t M = begin; M < end; ++M) e[2 * M + Q] = value[M];
     }
     for (std::ptrdiff_t k = 2 * K; k < std::min<std::ptrdiff_t>(2 * K + (axes == 3 ? 2 : 1), fine.cells[2]); ++k)
       for (std::ptrdiff_t j = 2 * J; j < std::min<std::ptrdiff_t>(2 * J + 2, fine.cells[1]); ++j)
-        for (int c = 0; c < 2; ++c) {
-          const std::ptrdiff_t fine_row = j + k * fine.cells[1];
-          const auto [begin, end, q] = colour_range(fine, fine_row, c, fine.inside[fine_row]);
-          float* __restrict x = fine.colour[c].value.data() + coloured_row(fine, fine_row);
+        for (Colour& colour : fine.colour) {
+          const auto [start, begin, end, q] = colour.inside[j + k * fine.cells[1]];
+          float* __restrict x = colour.value.data() + start;
           POLDER_INDEPENDENT
           for (std::ptrdiff_t m = begin; m < end; ++m) x[m] += e[m];  // cell 2m + q lies in coarse cell m
         }
@@ -402,10 +405,10 @@ void Multigrid<Space>::cycle(Team& team, int rank) {
 template <class Space>
 void Multigrid<Space>::load_row(std::ptrdiff_t row, const Array& r, double scale) {
   Level& level = levels_[0];
-  const std::ptrdiff_t from = natural_row(level, row), to = coloured_row(level, row);
-  for (int c = 0; c < 2; ++c) {
-    const auto [begin, end, q] = colour_range(level, row, c, level.inside[row]);
-    float* b = level.colour[c].right_side.data() + to;
+  const std::ptrdiff_t from = natural_row(level, row);
+  for (Colour& colour : level.colour) {
+    const auto [to, begin, end, q] = colour.inside[row];
+    float* b = colour.right_side.data() + to;
     const double* source = r.data() + from + q;
     for (std::ptrdiff_t m = begin; m < end; ++m) b[m] = static_cast<float>(scale * source[2 * m]);
   }
@@ -414,10 +417,10 @@ void Multigrid<Space>::load_row(std::ptrdiff_t row, const Array& r, double scale
 template <class Space>
 void Multigrid<Space>::unload_row(std::ptrdiff_t row, Array& z, double back) const {
   const Level& level = levels_[0];
-  const std::ptrdiff_t to = natural_row(level, row), from = coloured_row(level, row);
-  for (int c = 0; c < 2; ++c) {
-    const auto [begin, end, q] = colour_range(level, row, c, level.inside[row]);
-    const float* x = level.colour[c].value.data() + from;
+  const std::ptrdiff_t to = natural_row(level, row);
+  for (const Colour& colour : level.colour) {
+    const auto [from, begin, end, q] = colour.inside[row];
+    const float* x = colour.value.data() + from;
     double* target = z.data() + to + q;
     for (std::ptrdiff_t m = begin; m < end; ++m) target[2 * m] = back * static_cast<double>(x[m]);
   }

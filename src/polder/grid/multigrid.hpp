@@ -56,9 +56,17 @@ class Multigrid {
   static constexpr int axes = Space::axes;
   using Floats = AlignedVector<float>;
 
+  /// The cells 2m + q, begin ≤ m < end, that a colour has in a row's span; the row begins at `row` in the arrays.
+  struct ColourRow {
+    std::ptrdiff_t row = 0;
+    int begin = 0, end = 0, q = 0;
+    std::ptrdiff_t at() const { return row + begin; }
+    std::ptrdiff_t count() const { return end - begin; }
+  };
   struct Colour {
     Floats inverse, diagonal, right_side, value;
     std::array<Floats, axes> coupling;
+    std::vector<ColourRow> inside;  // of every row of the level
   };
   struct Level {
     std::array<int, 3> cells{1, 1, 1};
@@ -100,14 +108,9 @@ class Multigrid {
     const std::ptrdiff_t j = row % level.cells[1], k = row / level.cells[1];
     return level.natural_origin + j * level.natural_stride[1] + k * level.natural_stride[2];
   }
-  /// The cells 2m + q, begin ≤ m < end, that colour c has in a row's span.
-  struct ColourRange {
-    std::ptrdiff_t begin, end;
-    int q;
-  };
-  static ColourRange colour_range(const Level& level, std::ptrdiff_t row, int c, RowSpan span) {
+  ColourRow colour_row(const Level& level, std::ptrdiff_t row, int c, RowSpan span) const {
     const int q = c == 0 ? parity(level, row) : 1 - parity(level, row);
-    return {(span.begin - q + 1) / 2, (span.end - q + 1) / 2, q};
+    return {coloured_row(level, row), (span.begin - q + 1) / 2, (span.end - q + 1) / 2, q};
   }
   /// Of a row of row_sum: its cells and room for a last block.
   static std::ptrdiff_t sum_length(const Level& level) { return level.cells[0] + 9; }

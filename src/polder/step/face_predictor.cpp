@@ -85,6 +85,36 @@ void predict_block(const FaceArrays& at, std::ptrdiff_t first, std::ptrdiff_t st
   }
 }
 
+/// Likewise eight side by side between wet cells, and no soil near.
+void predict_water_block(const FaceArrays& at, std::ptrdiff_t first, const FaceConstants& k) {
+  const double least = water_present * k.water_density / k.inverse_volume, response = -k.dt / k.water_density;
+  POLDER_INDEPENDENT
+  for (std::ptrdiff_t f = first; f < first + block; ++f) {
+    const double mw = at.water_mass[f];
+    const double water = mw > least ? at.water[f] / mw : 0.0;
+    at.water_before[f] = water;
+    at.water[f] = (water - k.fall) * k.water_kept;
+    at.water_response[f] = response;
+    at.mobility[f] = -response;
+    at.porosity[f] = 1;
+    at.soil_before[f] = at.soil[f] = at.soil_response[f] = 0;
+  }
+}
+
+/// Eight side by side that nothing has reached.
+void clear_block(const FaceArrays& at, std::ptrdiff_t first) {
+  for (double* field :
+       {at.soil_before, at.water_before, at.soil, at.water, at.soil_response, at.water_response, at.mobility})
+    std::fill_n(field + first, block, 0.0);
+  std::fill_n(at.porosity + first, block, 1.0);
+}
+
+bool all_zero(const double* value) {
+  double sum = 0;
+  for (int i = 0; i < block; ++i) sum += std::abs(value[i]);
+  return sum == 0;
+}
+
 bool all_above(const double* value, double bound) {
   bool above = true;
   for (int i = 0; i < block; ++i) above = above && value[i] > bound;
@@ -199,8 +229,8 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
     const bool far_across[2] = {far_field && setup.absorbs(c, 0), far_field && setup.absorbs(c, 1)};
     std::uint8_t* reached = grid.reached[c].data();
 
-    const bool plain = one_material && !all_fixed && !setup.single_point && !control.hold_water && !opening[0] &&
-                       !opening[1] && !setup.walls.any() && !setup.bodies.any() && !far_field;
+    const bool plain = one_material && !all_fixed && !setup.single_point && (vertical || !control.hold_water) &&
+                       !opening[0] && !opening[1] && !setup.walls.any() && !setup.bodies.any() && !far_field;
     const auto free = [&](int place) {  // of the walls that close this component's faces
       return place > std::max(0, setup.soil_box.low[c]) && place < std::min(lattice.cells[c], setup.soil_box.high[c]);
     };
@@ -210,20 +240,33 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
                                   inverse_volume,
                                   rho_s0 * cell_volume,
                                   rho_w,
-                                  vertical ? dt * g : 0,
+                                  -dt * pull,
                                   1 - std::min(1.0, control.damping * dt),
                                   1 - std::min(1.0, control.water_damping * dt)};
 
     over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
       for (int i = 0; i < count; ++i) {
         const std::ptrdiff_t f = first + i, low = f - s;
-        if (plain && i + block <= count && eight(&grid.wet[f]) == eight_set && eight(&grid.wet[low]) == eight_set &&
-            (c == 0 ? free(at[0] + i) && free(at[0] + i + block - 1) : free(at[c])) &&
-            all_above(soil_mass + f, soil_present * constants.full_of_grains)) {
-          predict_block(arrays, f, s, constants);
-          std::fill_n(reached + f, block, std::uint8_t{1});
-          i += block - 1;
-          continue;
+        if (plain && i + block <= count && (c == 0 ? free(at[0] + i) && free(at[0] + i + block - 1) : free(at[c]))) {
+          const std::uint64_t wet = eight(&grid.wet[f]), wet_below = eight(&grid.wet[low]);
+          bool done = false;
+          if (wet == eight_set && wet_below == eight_set) {
+            if (all_above(soil_mass + f, soil_present * constants.full_of_grains)) {
+              predict_block(arrays, f, s, constants);
+              done = true;
+            } else if (all_zero(soil_mass + f)) {
+              predict_water_block(arrays, f, constants);
+              done = true;
+            }
+          } else if ((wet | wet_below) == 0 && all_zero(soil_mass + f) && all_zero(water_mass + f)) {
+            clear_block(arrays, f);
+            done = true;
+          }
+          if (done) {
+            std::fill_n(reached + f, block, static_cast<std::uint8_t>(wet != 0));
+            i += block - 1;
+            continue;
+          }
         }
         const int place = c == 0 ? at[0] + i : at[c];
         const bool end = !joined && (place == 0 || place == lattice.cells[c]);
