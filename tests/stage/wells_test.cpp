@@ -228,6 +228,55 @@ duration = "2 s"
   EXPECT_NEAR(total(half) - 0.2, 0.03 * 2 * 0.5, 0.02 * 0.03 * 2 * 0.5 + 11 * parcel);
 }
 
+TEST(Rain, ThatIsNegativeDriesAPondAndLeavesWaterUnderTheGround) {
+  const auto model = [](const std::string& water) {
+    return read_text(R"(
+[model]
+size = [1, 0.6]
+cell = 0.05
+[[material]]
+name = "gravel"
+law = "linear-elastic"
+young_modulus = "1 MPa"
+fixed = true
+grain_density = "2660 kg/m3"
+porosity = 0.4
+permeability = "5e-2 m/s"
+drag = "darcy"
+[[soil]]
+material = "gravel"
+box = [[0, 0], [1, 0.3]]
+[[rain]]
+name = "drought"
+rate = "-10 mm/s"
+[[stage]]
+name = "event"
+duration = "2 s"
+)" + water);
+  };
+  const double parcel = 0.125 * 0.025 * 0.025;
+  Simulation<PlaneStrain> pond(model("[initial]\nwater_table = [[0, 0.3], [1, 0.3]]\n"
+                                     "[[free_water]]\nbox = [[0, 0.3], [1, 0.45]]\n"),
+                               1);
+  const double before = total(pond);
+  while (!pond.finished()) pond.advance();
+  EXPECT_NEAR(before - total(pond), 0.01 * 2, 20 * parcel);
+  EXPECT_NEAR(pond.audit().water_out, before - total(pond), 1e-12);
+  EXPECT_LT(pond.audit().water_balance_error(pond.state()), 1e-12);
+  EXPECT_NEAR(pond.pressure_at({0.5, 0.025, 0}), 9810 * (0.45 - 0.02 - 0.025), 0.03 * 9810 * 0.4);
+
+  // soil dries until its uppermost cells are no longer wet, half of their water being gone
+  Simulation<PlaneStrain> ground(model("[initial]\nwater_table = [[0, 0.3], [1, 0.3]]\n"), 1);
+  const double full = total(ground);
+  while (!ground.finished()) ground.advance();
+  EXPECT_NEAR(full - total(ground), 0.5 * 0.05 * 0.4, 0.15 * 0.05 * 0.4);
+
+  Simulation<PlaneStrain> deep(model("[initial]\nwater_table = [[0, 0.15], [1, 0.15]]\n"), 1);
+  const double stored = total(deep);
+  while (!deep.finished()) deep.advance();
+  EXPECT_EQ(total(deep), stored);
+}
+
 TEST(Rain, SeepsIntoDryGravel) {
   Simulation<PlaneStrain> run(read_text(R"(
 [model]

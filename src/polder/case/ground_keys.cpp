@@ -52,8 +52,9 @@ std::vector<Key> ground_keys() {
        "Name of the stage at whose beginning it stops. Left out: it runs to the end."},
       // ---- rain
       {"rain", "name", "", "name", false, "", any, infinity, R"("cloudburst")", "For messages and the report."},
-      {"rain", "rate", "", "table of velocity", true, "", 0, 1, R"("50 mm/h")",
-       "Height of water per time: one value, a list [[time, rate], …], or a CSV file."},
+      {"rain", "rate", "", "table of velocity", true, "", -1, 1, R"("50 mm/h")",
+       "Height of water per time: one value, a list [[time, rate], …], or a CSV file. Negative: evaporation, from free "
+       "water and from soil that is wet up to its surface."},
       {"rain", "span", "", "list of length", false, "", any, infinity, R"(["0 m", "4 m"])",
        "[from, to] of x. Left out: everywhere."},
       // ---- load

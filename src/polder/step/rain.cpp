@@ -1,9 +1,10 @@
 #include "polder/step/rain.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <map>
 
 #include "polder/math/random.hpp"
+#include "polder/points/tiles.hpp"
 
 namespace polder {
 
@@ -11,12 +12,64 @@ namespace {
 
 constexpr double parcel = 0.125;  // × a nominal point
 constexpr double a_little = 0.1;  // of a cell, of soil or water: rain falls on it and not through it
+constexpr double least = 1e-3;    // × a nominal point: what is smaller evaporates whole
 
 /// m/s on a column whose middle is at x, mean over its width.
 double rate_on(const Rain& rain, double time, double x, double width) {
   if (!rain.span) return rain.rate(time);
   const double covered = std::min(x + 0.5 * width, (*rain.span)[1]) - std::max(x - 0.5 * width, (*rain.span)[0]);
   return rain.rate(time) * std::max(0.0, covered) / width;
+}
+
+/// Columns of cells from which water is due, by their lowest cell, and the water points in them.
+using Dues = std::map<std::ptrdiff_t, std::vector<std::size_t>>;
+
+/// Whether the water of a column is open to the air: free, or in soil up to the soil's uppermost cell.
+template <class Space>
+bool open_to_air(const Setup<Space>& setup, const GridFields<Space>& grid, std::ptrdiff_t base) {
+  const auto& lattice = setup.lattice;
+  for (int level = lattice.cells[Space::up] - 1; level >= 0; --level) {
+    const std::ptrdiff_t cell = base + level * lattice.stride[Space::up];
+    if (grid.wet[cell]) return true;
+    if (grid.solid_volume[cell] > 0.5 * (1 - grid.cell_porosity[cell]) * lattice.cell_volume()) return false;
+  }
+  return false;
+}
+
+/// Takes what is due out of each column, the uppermost points first. What finds no open water is forgotten: the air is
+/// as dry as it was.
+template <class Space>
+void evaporate(const Setup<Space>& setup, Dues& dues, GridFields<Space>& grid, WaterPoints<Space>& water,
+               std::vector<Exchange>& exchanged) {
+  constexpr int up = Space::up;
+  const auto& lattice = setup.lattice;
+  const auto cell_at = [&](std::size_t p) { return cell_of(lattice, position_of(water, p)); };
+  for (std::size_t p = 0; p < water.size(); ++p) {
+    const auto cell = cell_at(p);
+    const auto due = dues.find(Space::axes == 3 ? lattice.index(cell[0], cell[1], 0) : lattice.index(cell[0], 0));
+    if (due != dues.end()) due->second.push_back(p);
+  }
+  std::vector<std::uint8_t> leaves(water.size(), 0);
+  for (auto& [base, points] : dues) {
+    double left = -grid.rain[base];
+    grid.rain[base] = 0;
+    if (!open_to_air(setup, grid, base)) continue;
+    std::sort(points.begin(), points.end(), [&](std::size_t a, std::size_t b) {
+      return std::pair{water.position[up][b], water.id[b]} < std::pair{water.position[up][a], water.id[a]};
+    });
+    for (const std::size_t p : points) {
+      const bool whole = left > water.volume[p] - least * setup.nominal_point_volume();
+      const double taken = whole ? water.volume[p] : left;
+      const auto cell = cell_at(p);
+      exchanged.push_back({lattice.index(cell[0], cell[1], cell[2]), -taken});
+      water.volume[p] -= taken;
+      leaves[p] = whole;
+      left -= taken;
+      if (left <= 0) break;
+    }
+    grid.rain[base] = std::max(0.0, -left);  // the last point may have been more than was due
+  }
+  if (std::find(leaves.begin(), leaves.end(), 1) != leaves.end()) remove_points(water, leaves);
 }
 
 }  // namespace
@@ -28,6 +81,7 @@ std::vector<Exchange> let_it_rain(const Setup<Space>& setup, double time, double
   const auto& lattice = setup.lattice;
   const double volume = lattice.cell_volume(), size = parcel * setup.nominal_point_volume();
   std::vector<Exchange> exchanged;
+  Dues dues;
   for (int k = 0; k < (Space::axes == 3 ? lattice.cells[1] : 1); ++k)
     for (int i = 0; i < lattice.cells[0]; ++i) {
       const std::ptrdiff_t base = Space::axes == 3 ? lattice.index(i, k, 0) : lattice.index(i, 0);
@@ -36,6 +90,7 @@ std::vector<Exchange> let_it_rain(const Setup<Space>& setup, double time, double
         rate += rate_on(rain, time, (i + 0.5) * lattice.spacing[0], lattice.spacing[0]);
       double& fallen = grid.rain[base];
       fallen += rate * dt * lattice.face_area(up);
+      if (fallen <= -size) dues.try_emplace(base);
       if (fallen < size) continue;
       int top = -1;  // the uppermost cell with something in it
       for (int level = lattice.cells[up] - 1; level >= 0 && top < 0; --level) {
@@ -57,6 +112,7 @@ std::vector<Exchange> let_it_rain(const Setup<Space>& setup, double time, double
       exchanged.push_back({cell, fallen});
       fallen = 0;
     }
+  if (!dues.empty()) evaporate(setup, dues, grid, water, exchanged);
   return exchanged;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // Rain in a step: it falls on each column of cells and becomes points above the column's uppermost soil or water, in
-// parcels of an eighth of a point.
+// parcels of an eighth of a point. A negative rate is evaporation: as much is taken, likewise in parcels, from water
+// that is open to the air.
 #include <cstdint>
 #include <vector>
 
@@ -11,7 +12,7 @@
 
 namespace polder {
 
-/// Returns what has become points; if anything has, they must be sorted again.
+/// Returns what has become points, and what points have lost; if there is anything, they must be sorted again.
 template <class Space>
 std::vector<Exchange> let_it_rain(const Setup<Space>& setup, double time, double dt, GridFields<Space>& grid,
                                   std::uint64_t& next_id, WaterPoints<Space>& water);
