@@ -61,6 +61,16 @@ void check_unsaturated_limits(const Sections& sections, const Model& model, Diag
 
 void check_limits(const Sections& sections, const Model& model, Diagnostics& diagnostics) {
   if (model.unsaturated) check_unsaturated_limits(sections, model, diagnostics);
+  for (std::size_t i = 0; i < model.stages.size(); ++i) {
+    const Fields& f = sections.stages[i];
+    if (model.unsaturated && model.stages[i].until_rest)
+      report(diagnostics, f.place_of("until_rest"), f.path_of("until_rest"),
+             "is not available in the unsaturated formulation yet", "give the stage the duration that it needs");
+    for (const char* key : {"rest_energy", "rest_force"})
+      if (!model.stages[i].until_rest && f.is_given(key))
+        report(diagnostics, f.place_of(key), f.path_of(key), "has no meaning without until_rest",
+               "leave it out, or set until_rest = true");
+  }
   for (const Fields& f : sections.stages)
     for (const char* key : {"mass_scaling", "step_stretch"})
       if (!model.unsaturated && f.is_given(key))

@@ -155,6 +155,8 @@ struct Stage {
   double water_damping = 0;  ///< 1/s, of the water's velocity
   double local_damping = 0;  ///< Cundall's factor on the soil's out-of-balance force
   bool hold_water = false;   ///< water is held horizontally (the papers' gravity phase)
+  bool until_rest = false;   ///< it ends as soon as the ground has come to rest
+  double rest_energy = 1e-8, rest_force = 0.01;  ///< what counts as rest, of Unrest (stage/rest.hpp)
   /// In place of Output's and Numerics' during this stage.
   std::optional<double> history_interval, snapshot_interval;  ///< s
   std::optional<double> mass_scaling, step_stretch;

@@ -123,7 +123,9 @@ Json stage_json(const Stage& s) {
             {"damping", s.damping},
             {"water_damping", s.water_damping},
             {"local_damping", s.local_damping},
-            {"hold_water", s.hold_water}};
+            {"hold_water", s.hold_water},
+            {"until_rest", s.until_rest}};
+  if (s.until_rest) json.update({{"rest_energy", s.rest_energy}, {"rest_force", s.rest_force}});
   if (s.history_interval) json["history"] = *s.history_interval;
   if (s.snapshot_interval) json["snapshots"] = *s.snapshot_interval;
   if (s.mass_scaling) json["mass_scaling"] = *s.mass_scaling;

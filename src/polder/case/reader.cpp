@@ -203,6 +203,9 @@ Stage read_stage(const Fields& f) {
   stage.local_damping = f.number("local_damping");
   stage.water_damping = f.number("water_damping");
   stage.hold_water = f.flag("hold_water");
+  stage.until_rest = f.flag("until_rest");
+  stage.rest_energy = f.number("rest_energy", stage.rest_energy);
+  stage.rest_force = f.number("rest_force", stage.rest_force);
   const auto own = [&](std::string_view key) {
     const Entry* entry = f.find(key);
     return entry ? std::optional(entry->number) : std::nullopt;

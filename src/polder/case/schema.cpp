@@ -232,7 +232,16 @@ std::vector<Key> make_keys() {
        "Name of the stage at whose beginning the wall vanishes, instead of a time."},
       // ---- stage
       {"stage", "name", "", "name", true, "", any, infinity, R"("seepage")", "For messages and the report."},
-      {"stage", "duration", "", "time", true, "", 1e-9, 3.2e9, R"("10 s")", "How long it lasts."},
+      {"stage", "duration", "", "time", true, "", 1e-9, 3.2e9, R"("10 s")",
+       "How long it lasts; with `until_rest`, at most."},
+      {"stage", "until_rest", "", "flag", false, "false", any, infinity, "true",
+       "It ends as soon as `rest_energy` and `rest_force` have held for a hundred steps in a row, after the ramp. If "
+       "that "
+       "is not reached within its duration, the summary warns."},
+      {"stage", "rest_energy", "", "ratio", false, "1e-8", 1e-20, 1, "1e-7",
+       "Kinetic energy of soil and water that counts as rest, over their weight times the height of a cell."},
+      {"stage", "rest_force", "", "ratio", false, "0.01", 1e-12, 1, "1e-3",
+       "Out-of-balance force that counts as rest, summed over the grid, over the weight of soil and water."},
       {"stage", "initial", "", "flag", false, "false", any, infinity, "false",
        "Prepares the state at t = 0 and is not part of the event."},
       {"stage", "ramp", "", "time", false, "0 s", 0, 3.2e9, R"("0.7 s")",

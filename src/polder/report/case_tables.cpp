@@ -218,6 +218,7 @@ std::string what_happens(const Json& stage) {
   if (number("ramp") > 0) parts.push_back("gravity rises over " + time_text(number("ramp")));
   if (number("damping") > 0) parts.push_back(fmt::format("viscous damping {} 1/s", number_text(number("damping"))));
   if (number("local_damping") > 0) parts.push_back("local damping " + number_text(number("local_damping")));
+  if (stage.value("until_rest", false)) parts.push_back("ends as soon as the ground is at rest");
   if (stage.value("hold_water", false)) parts.push_back("water held horizontally");
   return parts.empty() ? "–" : fmt::format("{}", fmt::join(parts, "; "));
 }

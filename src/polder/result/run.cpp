@@ -217,6 +217,14 @@ class Run {
     getrusage(RUSAGE_SELF, &usage);
     Summary& s = summary_;
     s.warnings = simulation_->guards().warnings();
+    for (const StageEnd& end : simulation_->stage_ends()) {
+      s.stage_seconds[end.name] = end.seconds;
+      if (end.restless > 0)
+        s.warnings.push_back(fmt::format(
+            "the stage \"{}\" did not come to rest within its {:.6g} s: its out-of-balance force was {:.2g} of "
+            "the weight; give it more time or damping",
+            end.name, end.seconds, end.restless));
+    }
     for (const std::string& warning : s.warnings) log_->warn("{}", warning);
     s.version = options_.version;
     s.simulated_time = simulation_->time();

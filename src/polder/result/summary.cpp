@@ -29,6 +29,7 @@ nlohmann::ordered_json summary_json(const Summary& s) {
   json["status"] = status_name(s.status);
   json["reason"] = s.reason;
   json["warnings"] = s.warnings;
+  json["stage_seconds"] = s.stage_seconds;
   json["simulated_time"] = s.simulated_time;
   json["steps"] = s.steps;
   json["wall_seconds"] = s.wall_seconds;

@@ -14,10 +14,11 @@ enum class RunStatus { finished, failed, interrupted };
 /// The keys of summary.json. Errors and shares are pure numbers; NaN (not measured) is written as null.
 struct Summary {
   RunStatus status = RunStatus::finished;
-  std::string version;                ///< of Polder
-  std::string reason;                 ///< why it stopped, as a sentence
-  std::vector<std::string> warnings;  ///< what the reader of the results must know; sentences
-  double simulated_time = 0;          ///< s
+  std::string version;                          ///< of Polder
+  std::string reason;                           ///< why it stopped, as a sentence
+  std::vector<std::string> warnings;            ///< what the reader of the results must know; sentences
+  std::map<std::string, double> stage_seconds;  ///< s, how long each stage that is over has lasted
+  double simulated_time = 0;                    ///< s
   std::uint64_t steps = 0;
   double wall_seconds = 0;  ///< s
   int threads = 1;

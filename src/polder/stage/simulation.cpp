@@ -9,12 +9,15 @@
 #include "polder/boundary/standing_walls.hpp"
 #include "polder/points/seed.hpp"
 #include "polder/stage/initial.hpp"
+#include "polder/stage/rest.hpp"
 #include "polder/stage/sound.hpp"
 #include "polder/stage/unsaturated_start.hpp"
 
 namespace polder {
 
 namespace {
+
+constexpr std::uint64_t steps_at_rest = 100;  // in a row, until a stage counts as at rest
 
 template <class Space>
 Stepper<Space> make_stepper(const Model& model, int threads) {
@@ -36,8 +39,17 @@ Simulation<Space>::Simulation(const Model& model, int threads)
     : model_(model), stepper_(make_stepper<Space>(model, threads)), audit_(model, stepper_), guards_(stepper_) {
   for (const Stage& stage : model_.stages)
     (stage.initial ? time_ : end_time_) += stage.initial ? -stage.duration : stage.duration;
+  stage_ends_.assign(model_.stages.size(), -1);
+  restless_.assign(model_.stages.size(), 0);
   set_numerics();
   raise_walls();
+}
+
+template <class Space>
+std::vector<StageEnd> Simulation<Space>::stage_ends() const {
+  std::vector<StageEnd> ends;
+  for (std::size_t i = 0; i < stage_; ++i) ends.push_back({model_.stages[i].name, stage_ends_[i], restless_[i]});
+  return ends;
 }
 
 /// What the stage says of the method, and the wells that are there.
@@ -90,7 +102,7 @@ StepReport Simulation<Space>::advance() {
   double dt = natural >= until * (1 - 1e-9) ? until : natural;
   // no sliver of a step is left over: what has gathered in a full step would be put right in a moment, with a blow
   if (dt < until && until < 1.5 * dt) dt = until / 2;
-  const bool last = dt >= left * (1 - 1e-9);
+  bool last = dt >= left * (1 - 1e-9);
   if (last) dt = left;
   if (!(dt > 0) || (!last && natural < 1e-9 * std::min(stage.duration, 1.0)))
     throw RunFailure(fmt::format("the time step collapsed to {:.3g} s at t = {:.6g} s (fastest point: {:.3g} cells/s)",
@@ -104,6 +116,14 @@ StepReport Simulation<Space>::advance() {
   audit_.volume_iterations += static_cast<std::uint64_t>(report.volume.iterations);
   guards_.take(stepper_, audit_, report, time_,
                !stage.initial && stage.ramp <= 0 && !stepper_.setup.driven() && !body_force);
+  if (stage.until_rest && time_in_stage_ >= stage.ramp) {
+    const Unrest now = unrest(stepper_, dt);
+    const bool calm = now.energy <= stage.rest_energy && now.force <= stage.rest_force;
+    calm_steps_ = calm ? calm_steps_ + 1 : 0;
+    const bool at_rest = calm_steps_ >= steps_at_rest;
+    if (last && !at_rest) restless_[stage_] = now.force;
+    last = last || at_rest;
+  }
   if (last) end_stage();
   raise_walls();
   return report;
@@ -113,6 +133,8 @@ template <class Space>
 std::string Simulation<Space>::flaw() {
   if (stage_ > model_.stages.size() || !std::isfinite(time_) || !std::isfinite(time_in_stage_))
     return "its time is in no stage of the case";
+  if (stage_ends_.size() != model_.stages.size() || restless_.size() != model_.stages.size())
+    return "its stages are not those of the case";
   if (!(stepper_.drift_soil >= 0) || !(stepper_.drift_water >= 0) || !(stepper_.motion.speed >= 0))
     return "the drift or the speed of its points is not a number";
   return flaw_of(stepper_, !stepper_.unsorted());
@@ -121,8 +143,10 @@ std::string Simulation<Space>::flaw() {
 template <class Space>
 void Simulation<Space>::end_stage() {
   const bool was_initial = model_.stages[stage_].initial;
+  stage_ends_[stage_] = time_in_stage_;
   ++stage_;
   time_in_stage_ = 0;
+  calm_steps_ = 0;
   if (stepper_.unsaturated) stepper_.unsaturated->begin_stage();
   if (was_initial && (finished() || !model_.stages[stage_].initial)) begin_event();
   if (!finished()) begin_stage();

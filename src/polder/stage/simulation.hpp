@@ -9,6 +9,13 @@
 
 namespace polder {
 
+/// How a stage ended.
+struct StageEnd {
+  std::string name;
+  double seconds;   ///< that it lasted
+  double restless;  ///< it should have come to rest and did not: its out-of-balance force over the weight; else 0
+};
+
 template <class Space>
 class Simulation {
  public:
@@ -24,6 +31,9 @@ class Simulation {
   /// One step of the current stage; at its end, the next one begins. Throws RunFailure.
   StepReport advance();
 
+  /// Of the stages that are over.
+  std::vector<StageEnd> stage_ends() const;
+
   /// Water pressure, Pa, at a position: that of its cell, which is 0 where it is dry.
   double pressure_at(const std::array<double, 3>& x) const;
 
@@ -36,6 +46,9 @@ class Simulation {
     archive("stage", stage_);
     archive("time", time_);
     archive("time_in_stage", time_in_stage_);
+    archive("calm_steps", calm_steps_);
+    archive("stage_ends", stage_ends_);
+    archive("restless", restless_);
   }
   /// After each_state() has filled in values from a file: what would lead the next steps astray; empty: nothing.
   std::string flaw();
@@ -72,7 +85,9 @@ class Simulation {
   Audit<Space> audit_;
   Guards<Space> guards_;
   std::vector<bool> standing_;  ///< of the model's walls, in the stepper's set-up
-  std::uint64_t stage_ = 0;
+  std::uint64_t stage_ = 0, calm_steps_ = 0;
+  Array stage_ends_;  ///< s in each stage when it ended; −1: it has not
+  Array restless_;    ///< of stages that should have come to rest and did not: Unrest::force at their end; else 0
   double time_ = 0, end_time_ = 0, time_in_stage_ = 0;
 };
 
