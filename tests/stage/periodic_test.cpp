@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 #include "case_text.hpp"
@@ -32,12 +33,11 @@ std::string layer(const std::string& keys, const std::string& sections) {
          "[[soil]]\nmaterial = \"sand\"\nbox = [[0, 0], [0.8, 0.4]]\n" + sections;
 }
 
-double mean_velocity(const Simulation<PlaneStrain>& run) {
-  const auto& s = run.state().soil;
-  double sum = 0;
-  for (const double v : s.velocity[0]) sum += v;
-  return sum / static_cast<double>(s.size());
+double mean_of(const Array& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
+
+double mean_velocity(const Simulation<PlaneStrain>& run) { return mean_of(run.state().soil.velocity[0]); }
 
 void run_to_end(Simulation<PlaneStrain>& run) {
   while (!run.finished()) run.advance();
@@ -57,6 +57,17 @@ TEST(TiltedGravity, AcceleratesALayerOnASmoothBase) {
     EXPECT_LT(s.position[0][p], 0.8);
     EXPECT_NEAR(s.position[0][p] - s.reference[0][p], 0.25 * expected, 0.01 * expected);
   }
+}
+
+TEST(TiltedGravity, AcceleratesGrainsAndWaterAlike) {
+  const Model model = read_text(layer("tilt = \"10 deg\"\n",
+                                      "[initial]\nstress = \"none\"\nwater_table = [[0, 0.4], [0.8, 0.4]]\n"
+                                      "[[stage]]\nname = \"slide\"\nduration = 0.1\n"));
+  Simulation<PlaneStrain> run(model, 1);
+  run_to_end(run);
+  const double expected = 9.81 * std::sin(10 * std::numbers::pi / 180) * 0.1;
+  EXPECT_NEAR(mean_velocity(run), expected, 1e-3 * expected);
+  EXPECT_NEAR(mean_of(run.state().water.velocity[0]), expected, 1e-3 * expected);
 }
 
 /// Mean velocity along the slope of a layer on a rough base, 1 s after gravity was raised.
