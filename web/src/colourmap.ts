@@ -98,11 +98,17 @@ export function colourMap(name: MapName): Uint8Array {
   return bytes;
 }
 
+/** Colours of categories: the page's own, or else the list above by turns. */
+export function coloursOf(hex: string[]): Rgb[] {
+  const own = hex.map((text): Rgb => [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16) / 255) as Rgb);
+  return own.length ? own : categoryColours;
+}
+
 /** A map with one flat colour per category, spread over the 256 entries by category number modulo their count. */
-export function categoryMap(): Uint8Array {
+export function categoryMap(colours: Rgb[]): Uint8Array {
   const bytes = new Uint8Array(4 * mapSize);
   for (let i = 0; i < mapSize; ++i) {
-    const rgb = categoryColours[i % categoryColours.length];
+    const rgb = colours[i % colours.length];
     rgb.forEach((v, axis) => (bytes[4 * i + axis] = Math.round(255 * v)));
     bytes[4 * i + 3] = 255;
   }

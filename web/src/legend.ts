@@ -1,6 +1,6 @@
 // What one phase is coloured by: the choice of field, its colour bar with a range that can be typed, and where the
 // range comes from.
-import { type MapName, categoryColours, categoryMap, colourMap, cssGradient, flatMap, type Rgb } from "./colourmap";
+import { type MapName, categoryMap, colourMap, coloursOf, cssGradient, flatMap, type Rgb } from "./colourmap";
 import { h } from "./dom";
 import type { Field, Series } from "./series";
 import { type DisplayUnit, displayUnit, formatNumber } from "./units";
@@ -97,8 +97,9 @@ export function makeLegend(series: Series, initial: string, changed: () => void)
     names.replaceChildren();
     if (!field) return;
     if (category) {
+      const colours = coloursOf(field.colours);
       field.categories.forEach((text, k) => {
-        const [r, g, b] = categoryColours[k % categoryColours.length].map((v) => Math.round(255 * v));
+        const [r, g, b] = colours[k % colours.length].map((v) => Math.round(255 * v));
         names.append(h("span", { class: "name" }, h("i", { style: `background:rgb(${r} ${g} ${b})` }), text));
       });
       return;
@@ -126,7 +127,7 @@ export function makeLegend(series: Series, initial: string, changed: () => void)
     const field = key ? await series.field(key) : null;
     if (select.value !== key) return;
     const category = field?.scale === "category";
-    const map = !field ? flatMap(plain[series.name]) : category ? categoryMap() : colourMap(mapFor(field));
+    const map = !field ? flatMap(plain[series.name]) : field && category ? categoryMap(coloursOf(field.colours)) : colourMap(mapFor(field));
     colouring = { field, low: 0, high: 1, map, category };
     if (mode.value === "fixed" && field && !fixed.has(field.key)) mode.value = "run";
     applyRange(lastFrame);

@@ -11,6 +11,8 @@ export interface FieldDescription {
   scale: FieldScale;
   shown: boolean;
   categories: string[];
+  /** Of the categories, #rrggbb. */
+  colours: string[];
   low: number;
   step: number;
   prediction: "time" | "neighbour" | "linear";

@@ -1,7 +1,7 @@
 // Saving what is seen: a PNG of the moment, a WebM of the run. Both carry title, time and colour bars.
 import { cssColour } from "./dom";
 import type { Legend } from "./legend";
-import { categoryColours, mapSize } from "./colourmap";
+import { coloursOf, mapSize } from "./colourmap";
 import { displayUnit, formatNumber } from "./units";
 
 export interface Picture {
@@ -26,8 +26,9 @@ function drawLegend(pen: CanvasRenderingContext2D, legend: Legend, x: number, y:
   pen.fillText(label, x, y - 9);
   if (category) {
     let at = x;
+    const colours = coloursOf(field.colours);
     field.categories.forEach((name, k) => {
-      pen.fillStyle = `rgb(${categoryColours[k % categoryColours.length].map((v) => Math.round(255 * v)).join(" ")})`;
+      pen.fillStyle = `rgb(${colours[k % colours.length].map((v) => Math.round(255 * v)).join(" ")})`;
       pen.fillRect(at, y + 3, 12, 12);
       pen.fillStyle = cssColour("--ink");
       pen.fillText(name, at + 17, y + 9);

@@ -15,6 +15,7 @@ export interface Field {
   readonly note: string;
   readonly scale: FieldDescription["scale"];
   readonly categories: string[];
+  readonly colours: string[];
   /** One value per entry; NaN where there is none. */
   readonly values: Float32Array;
   readonly low: number;
@@ -136,13 +137,13 @@ function describeField(d: Omit<FieldDescription, "low" | "step" | "prediction" |
     if (v > high) high = v;
   }
   if (!(low <= high)) [low, high] = [0, 1];
-  const { key, label, symbol, unit, note, scale, categories } = d;
-  return { key, label, symbol, unit, note, scale, categories, values, low, high, bulk: bulkRange(values) };
+  const { key, label, symbol, unit, note, scale, categories, colours } = d;
+  return { key, label, symbol, unit, note, scale, categories, colours, values, low, high, bulk: bulkRange(values) };
 }
 
 /** Fields made from stored ones. */
 const derived = {
-  speed: { key: "speed", label: "Velocity", symbol: "|v|", unit: "m/s", note: "", scale: "sequential" as const, categories: [] },
+  speed: { key: "speed", label: "Velocity", symbol: "|v|", unit: "m/s", note: "", scale: "sequential" as const, categories: [], colours: [] },
   displacement: {
     key: "displacement",
     label: "Displacement",
@@ -151,6 +152,7 @@ const derived = {
     note: "from where the point was first seen",
     scale: "sequential" as const,
     categories: [],
+    colours: [],
   },
 };
 

@@ -14,7 +14,7 @@ export function displayUnit(unit: string, magnitude: number): DisplayUnit {
     if (m >= 1e3) return { factor: 1e-3, unit: "k" + unit };
   }
   if (unit === "s" && m > 0 && m < 0.1) return { factor: 1e3, unit: "ms" };
-  if ((unit === "m" || unit === "m/s") && m > 0 && m < 0.01) return { factor: 1e3, unit: "m" + unit };
+  if ((unit === "m" || unit === "m/s") && m > 1e-6 && m < 0.01) return { factor: 1e3, unit: "m" + unit };
   return { factor: 1, unit: unit.replace(/([a-z])2\b/g, "$1²").replace(/([a-z])3\b/g, "$1³") };
 }
 

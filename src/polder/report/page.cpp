@@ -71,6 +71,7 @@ Json json_of(const PagePoints& points) {
                       {"scale", name_of(field.info.scale)},
                       {"shown", field.info.shown},
                       {"categories", field.info.categories},
+                      {"colours", field.info.colours},
                       {"low", field.low},
                       {"step", field.step},
                       {"prediction", name_of(field.prediction)},

@@ -1,9 +1,13 @@
 #include "polder/report/player_fields.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+
+#include "polder/result/model_drawing.hpp"
 
 namespace polder {
 namespace {
@@ -16,7 +20,7 @@ struct Viewing {
 
 /// Fields that are not simply "from little to much".
 constexpr std::array viewings{
-    Viewing{"excess_pressure", FieldScale::diverging, "beyond that of still water up to the water over it"},
+    Viewing{"excess_pressure", FieldScale::diverging, "over the initial water table at rest"},
     Viewing{"volumetric_strain", FieldScale::diverging, "positive: looser"},
     Viewing{"mean_effective_stress", FieldScale::sequential, "compression positive"},
     Viewing{"vertical_effective_stress", FieldScale::sequential, "tension positive"},
@@ -32,6 +36,11 @@ constexpr std::array first_of_all{"deviatoric_strain", "displacement", "porosity
 
 bool says_loss_of_contact(const std::string& key) { return key == "liquefied" || key == "fluidised" || key == "fluid"; }
 
+std::string hex_text(const Colour& c) {
+  const auto byte = [](double v) { return static_cast<int>(std::lround(255 * v)); };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(c.red), byte(c.green), byte(c.blue));
+}
+
 PlayerField described(const FieldInfo& info, const std::vector<std::string>& material_names) {
   PlayerField field{info.name, info.label, info.symbol, info.unit};
   for (const Viewing& viewing : viewings)
@@ -39,10 +48,14 @@ PlayerField described(const FieldInfo& info, const std::vector<std::string>& mat
       field.scale = viewing.scale;
       field.note = viewing.note;
     }
-  if (info.name == "material") field.categories = material_names;
+  if (info.name == "material") {
+    field.categories = material_names;
+    for (const Colour& c : material_colours(material_names)) field.colours.push_back(hex_text(c));
+  }
   if (says_loss_of_contact(info.name)) {
     field.label = "Fluidised state";
     field.categories = {"grains in contact", "fluidised"};
+    field.colours = {"#dccba0", "#b03a48"};
   }
   return field;
 }

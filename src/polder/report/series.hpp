@@ -26,6 +26,7 @@ struct PlayerField {
   FieldScale scale = FieldScale::sequential;
   bool shown = true;  ///< false: used by the player (coordinates, velocities), not offered as a colour
   std::vector<std::string> categories{};  ///< names of 0, 1, 2… of a category
+  std::vector<std::string> colours{};     ///< theirs, as #rrggbb
 };
 
 struct SeriesField {

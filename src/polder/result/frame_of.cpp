@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "polder/boundary/standing_walls.hpp"
-#include "polder/result/excess_pressure.hpp"
 #include "polder/result/ground_stress.hpp"
+#include "polder/result/measures.hpp"
 #include "polder/result/state_hash.hpp"
 
 namespace polder {
@@ -89,8 +89,10 @@ Frame frame_of(const Simulation<Space>& run) {
   const std::size_t n = soil.size();
   place(run, soil, frame.soil, pressure);
   frame.soil.volume.resize(n);
+  const bool has_rest = !run.model().water_table.empty();  // what pressures are in excess of
   const bool holds_air = state.setup.single_point || state.setup.unsaturated;
-  std::vector<double> displacement(n * Space::axes), material(n), fluid(n), excess(n), saturated(holds_air ? n : 0);
+  std::vector<double> displacement(n * Space::axes), material(n), fluid(n), excess(has_rest ? n : 0),
+      saturated(holds_air ? n : 0);
   for (std::size_t p = 0; p < n; ++p) {
     frame.soil.volume[p] =
         soil.mass[p] / state.setup.materials[soil.material[p]].grain_density / (1 - soil.porosity[p]);
@@ -98,14 +100,14 @@ Frame frame_of(const Simulation<Space>& run) {
       displacement[p * Space::axes + a] = soil.position[a][p] - soil.reference[a][p];
     material[p] = soil.material[p];
     fluid[p] = soil.fluid[p];
-    excess[p] = excess_pressure(run, frame.soil.position[p]);
+    if (has_rest) excess[p] = excess_pressure(run, frame.soil.position[p]);
     if (holds_air) saturated[p] = point_saturation(run, p);
   }
   if (n > 0) {
     auto& fields = frame.soil.fields;
     fields.push_back(make_field("porosity", plain(soil.porosity)));
     fields.push_back(make_field("pore_pressure", std::move(pressure)));
-    fields.push_back(make_field("excess_pressure", std::move(excess)));
+    if (has_rest) fields.push_back(make_field("excess_pressure", std::move(excess)));
     if (holds_air) fields.push_back(make_field("saturation", std::move(saturated)));
     fields.push_back(make_field("deviatoric_strain", plain(soil.deviatoric_strain)));
     fields.push_back(make_field("displacement", std::move(displacement), Space::axes));

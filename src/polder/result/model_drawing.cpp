@@ -22,31 +22,6 @@ Path region_path(const Panel& panel, const Region& region, std::optional<Colour>
   return path;
 }
 
-// The conventional colours of section drawings where the name tells the soil, each used once; the rest by turns.
-std::vector<Colour> material_colours(const Model& model) {
-  struct Known {
-    const char* word;
-    Colour colour;
-  };
-  std::vector<Known> known{{"sand", rgb(0xe9d3a0)}, {"clay", rgb(0xa9bcae)},   {"peat", rgb(0xa2836b)},
-                           {"silt", rgb(0xcfc7b8)}, {"gravel", rgb(0xdcb88f)}, {"rock", rgb(0xb9b9bd)},
-                           {"core", rgb(0x8fa89b)}, {"block", rgb(0xb4a79c)}};
-  std::vector<Colour> others{rgb(0xe2c7b5), rgb(0xc9cfa4), rgb(0xd8bfd0), rgb(0xbfd0d8), rgb(0xe8dcc0), rgb(0xc4b59a)};
-  std::vector<Colour> colours;
-  std::size_t turn = 0;
-  for (const MaterialInput& material : model.materials) {
-    const auto named = std::find_if(known.begin(), known.end(),
-                                    [&](const Known& k) { return material.name.find(k.word) != std::string::npos; });
-    if (named != known.end()) {
-      colours.push_back(named->colour);
-      known.erase(named);
-    } else {
-      colours.push_back(others[turn++ % others.size()]);
-    }
-  }
-  return colours;
-}
-
 void draw_cells(Drawing& drawing, const Panel& panel, const Model& model, std::size_t up) {
   const double least = std::min(model.cell[0], model.cell[up]) * panel.scale();
   if (least < 3) return;  // a grey veil would tell nothing
@@ -233,6 +208,30 @@ void draw_bodies(Drawing& drawing, const Panel& panel, const Model& model, const
 
 }  // namespace
 
+std::vector<Colour> material_colours(const std::vector<std::string>& names) {
+  struct Known {
+    const char* word;
+    Colour colour;
+  };
+  std::vector<Known> known{{"sand", rgb(0xe9d3a0)}, {"clay", rgb(0xa9bcae)},   {"peat", rgb(0xa2836b)},
+                           {"silt", rgb(0xcfc7b8)}, {"gravel", rgb(0xdcb88f)}, {"rock", rgb(0xb9b9bd)},
+                           {"core", rgb(0x8fa89b)}, {"block", rgb(0xb4a79c)}};
+  std::vector<Colour> others{rgb(0xe2c7b5), rgb(0xc9cfa4), rgb(0xd8bfd0), rgb(0xbfd0d8), rgb(0xe8dcc0), rgb(0xc4b59a)};
+  std::vector<Colour> colours;
+  std::size_t turn = 0;
+  for (const std::string& name : names) {
+    const auto named = std::find_if(known.begin(), known.end(),
+                                    [&](const Known& k) { return name.find(k.word) != std::string::npos; });
+    if (named != known.end()) {
+      colours.push_back(named->colour);
+      known.erase(named);
+    } else {
+      colours.push_back(others[turn++ % others.size()]);
+    }
+  }
+  return colours;
+}
+
 Drawing draw_model(const Model& model, const ModelStyle& style) {
   constexpr double left = 58 + band, right = 34 + band, top = 68 + band, axis = 46, least_width = 480;
   const std::size_t up = model.space == SpaceKind::solid ? 2 : 1;
@@ -241,7 +240,9 @@ Drawing draw_model(const Model& model, const ModelStyle& style) {
   const double centring = (width - left - model.size[0] * scale - right) / 2;
   const Panel panel{left + centring,    top, model.size[0] * scale, model.size[up] * scale, {0, model.size[0]},
                     {0, model.size[up]}};
-  const std::vector<Colour> colours = material_colours(model);
+  std::vector<std::string> names;
+  for (const MaterialInput& material : model.materials) names.push_back(material.name);
+  const std::vector<Colour> colours = material_colours(names);
   const std::vector<Entry> entries = legend_entries(model, colours);
 
   Drawing drawing{width, 0, rgb(0xffffff), {}};

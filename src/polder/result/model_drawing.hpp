@@ -13,4 +13,8 @@ struct ModelStyle {
 
 Drawing draw_model(const Model& model, const ModelStyle& style = {});
 
+/// The conventional colours of section drawings where a material's name tells the soil, each used once; the rest by
+/// turns.
+std::vector<Colour> material_colours(const std::vector<std::string>& names);
+
 }  // namespace polder
