@@ -1,9 +1,11 @@
 // polder seepage CASE: heads, fluxes, discharges and exit gradients of the model that `polder run` simulates.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "case_argument.hpp"
 #include "commands.hpp"
@@ -14,6 +16,8 @@
 #include "polder/seepage/flow_reading.hpp"
 #include "polder/seepage/flow_results.hpp"
 #include "polder/seepage/model_flow.hpp"
+#include "polder/stability/ground_deformation.hpp"
+#include "polder/stability/sliding_area.hpp"
 
 namespace polder::cli {
 namespace {
@@ -66,6 +70,51 @@ void write_fields(const fs::path& folder, std::size_t number, const FlowSolver& 
   write_drawing(folder / fmt::format("pore-pressure-{}.png", number), draw_field(mesh, pore));
 }
 
+// Ground that deforms with the flow, and since when it finds no equilibrium.
+struct Ground {
+  GroundDeformation deformation;
+  double lost = -1;  // s
+};
+
+void follow(FlowSolver& solver, FlowState& state, double until, Ground& ground) {
+  constexpr int parts = 20;
+  const double from = state.time;
+  for (int i = 1; i <= parts; ++i) {
+    solver.advance(state, from + (until - from) * i / parts);
+    if (ground.lost >= 0 && i < parts) continue;  // an attempt that fails is dear: one at the instant
+    const bool stands = ground.deformation.follow(pore_pressure(solver, state));
+    if (!stands && ground.lost < 0) ground.lost = state.time;
+    solver.scale_conductivity(ground.deformation.conductivity_scale());
+  }
+}
+
+void add_ground(std::vector<FlowValue>& values, const Ground& ground, const Mesh& mesh, double time) {
+  const std::vector<double>& u = ground.deformation.state().displacement;
+  double most = 0, most_k = 0;
+  for (std::size_t i = 0; i + 1 < u.size(); i += 2) most = std::max(most, std::hypot(u[i], u[i + 1]));
+  for (const double k : ground.deformation.conductivity_scale()) most_k = std::max(most_k, k);
+  values.push_back({"displacement", "largest of the ground", time, most, "m"});
+  values.push_back({"conductivity", "largest over that at the start", time, most_k, ""});
+  if (ground.lost < 0) return;
+  values.push_back({"no equilibrium", "from then on; displacements stay", time, ground.lost, "s"});
+  values.push_back(
+      {"sliding area", "of the attempt that failed", time, sliding_area(mesh, ground.deformation.mechanism()), "m2"});
+}
+
+void write_strain(const fs::path& folder, std::size_t number, const Ground& ground, const Mesh& mesh, double time) {
+  TriangleField strain = gauss_field(mesh, ground.deformation.strain());
+  strain.title = fmt::format("Deviatoric strain, t = {:g} s", time);
+  strain.map = ColourMap::strain;
+  strain.from_zero = true;
+  strain.arrows = arrows(mesh, [&] {
+    std::vector<Point2> u(mesh.nodes.size());
+    for (std::size_t n = 0; n < u.size(); ++n)
+      u[n] = {ground.deformation.state().displacement[2 * n], ground.deformation.state().displacement[2 * n + 1]};
+    return u;
+  }());
+  write_drawing(folder / fmt::format("strain-{}.png", number), draw_field(mesh, strain));
+}
+
 void print(const std::vector<FlowValue>& values) {
   if (!values.empty()) fmt::print("t = {:g} s\n", values.front().time);
   for (const FlowValue& v : values) fmt::print("  {:<14}{:>12.4g} {:<6}{}\n", v.quantity, v.value, v.unit, v.at);
@@ -82,13 +131,18 @@ int run(const Options& options) {
   const bool quiet = options.json == "-";
   try {
     const ModelFlow flow = model_flow(model, input);
-    const FlowSolver solver(flow.problem());
+    FlowSolver solver(flow.problem());
+    std::optional<Ground> ground;
+    if (input.deformation && input.times.empty())
+      throw std::invalid_argument("seepage.deformation goes from instant to instant: give seepage.times");
+    if (input.deformation) ground.emplace(Ground{GroundDeformation(model, input, flow)});
     if (!quiet)
       fmt::print("{}: {} triangles, {} nodes\n", model.name, flow.mesh.triangles.size(), flow.mesh.nodes.size());
     if (!options.folder.empty()) make_folder(options.folder);
     std::size_t number = 0;
     const auto take = [&](const FlowState& state) {
-      const std::vector<FlowValue> values = read_flow(model, solver, state);
+      std::vector<FlowValue> values = read_flow(model, solver, state);
+      if (ground) add_ground(values, *ground, flow.mesh, state.time);
       if (!quiet) print(values);
       for (const FlowValue& v : values)
         rows.push_back({{"case", model.name},
@@ -97,14 +151,25 @@ int run(const Options& options) {
                         {"time", v.time},
                         {"value", v.value},
                         {"unit", v.unit}});
-      if (!options.folder.empty()) write_fields(options.folder, number++, solver, state);
+      if (!options.folder.empty()) {
+        write_fields(options.folder, number, solver, state);
+        if (ground) write_strain(options.folder, number, *ground, flow.mesh, state.time);
+        ++number;
+      }
     };
     if (input.times.empty()) {
       take(solver.steady(input.steady_time));
     } else {
       FlowState state = input.start == SeepageStart::steady ? solver.steady(0) : initial_flow(model, solver);
+      if (ground && !ground->deformation.begin(pore_pressure(solver, state)))
+        throw std::runtime_error(
+            "the ground finds no equilibrium under its weight and the pressures at t = 0: it fails before anything "
+            "changes; look at its factor of safety (polder stability)");
       for (const double time : input.times) {
-        if (time > state.time) solver.advance(state, time);
+        if (time > state.time && ground)
+          follow(solver, state, time, *ground);
+        else if (time > state.time)
+          solver.advance(state, time);
         take(state);
       }
     }

@@ -1,6 +1,7 @@
 // polder stability CASE: factors of safety by every method, beside the references of the case.
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 
@@ -66,6 +67,21 @@ void print_row(const Factor& row, std::size_t width) {
   std::fflush(stdout);
 }
 
+void print_checks(const std::vector<DikeCheck>& checks, std::size_t width) {
+  if (!checks.empty())
+    fmt::print("\n{:<{}}{:>8}{:>11}{:>11}{:>6}\n", "dike check", width, "factor", "reference", "tolerance", "");
+  for (const DikeCheck& check : checks) {
+    const std::string factor = !check.problem.empty()     ? "–"
+                               : std::isinf(check.factor) ? "∞"
+                                                          : fmt::format("{:.3f}", check.factor);
+    const char* verdict = !check.expected ? "" : check.pass() ? "ok" : "OUT";
+    fmt::print("{:<{}}{:>8}{:>11}{:>11}{:>6}  {}\n", check.label, width, factor,
+               check.expected ? fmt::format("{:.3f}", check.expected->reference) : "",
+               check.expected ? fmt::format("{:.1f} %", check.expected->tolerance * 100) : "", verdict, check.remark);
+    if (!check.problem.empty()) std::cerr << "polder: " << check.label << ": " << check.problem << '\n';
+  }
+}
+
 void print_details(const Assessment& all, const AssessmentDetails& details) {
   for (const Factor& row : all.factors) {
     const bool surface = row.outcome.search && *row.outcome.search;
@@ -99,7 +115,7 @@ void print_details(const Assessment& all, const AssessmentDetails& details) {
 int run(const Options& options) {
   const Study study = read(options);
   AssessmentOptions asked{chosen_methods(options.method), options.details.contours || !options.report.empty(),
-                          options.probability, options.samples};
+                          options.probability, options.samples, options.method == "all"};
   const auto expected = expected_factors(std::filesystem::path(study.model.file).parent_path() / "expected.toml");
   const bool quiet = options.json == "-";
   constexpr std::size_t width = 32;
@@ -117,7 +133,7 @@ int run(const Options& options) {
     throw Failure(status_failed, study.model.file + ": " + error.what());
   }
   for (const std::string& note : all.notes) std::cerr << "note: " << note << '\n';
-  if (!quiet) print_details(all, options.details);
+  if (!quiet) print_checks(all.checks, width), print_details(all, options.details);
   try {
     if (quiet)
       std::cout << assessment_json(all, options.details).dump(2) << '\n';
@@ -134,6 +150,10 @@ int run(const Options& options) {
   }
   bool good = true, found = false;
   for (const Factor& row : all.factors) good = good && (!row.expected || row.pass()), found = found || row.outcome;
+  for (const DikeCheck& check : all.checks) {
+    if (!check.problem.empty()) return status_wrong_input;
+    good = good && check.pass();
+  }
   return !found ? status_failed : good ? status_done : status_outside_tolerance;
 }
 

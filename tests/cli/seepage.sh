@@ -16,3 +16,12 @@ has "$err" "three-dimensional"
 
 expect 2 polder seepage dike-seepage --set 'seepage.mesh_sise="1 m"'
 has "$err" 'did you mean "mesh_size"?'
+
+expect 2 polder seepage dike-seepage --set seepage.deformation=true
+has "$err" 'give seepage.times'
+
+# Ground that deforms: as much cohesion as keeps the dike standing.
+expect 0 polder seepage dike-seepage --out deforming --set seepage.deformation=true --set 'seepage.times=["1 s"]' \
+  --set 'material.sand.cohesion="5 kPa"' --set material.sand.permeability_change=0.875
+has "$out" "largest of the ground"
+[ -s deforming/strain-0.png ] || fail "there is no deforming/strain-0.png"

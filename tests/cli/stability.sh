@@ -75,6 +75,16 @@ phreatic_line = [[\"0 m\", \"5 m\"], [\"50 m\", \"5 m\"]]" >flooded-line.toml
 expect 0 polder stability flooded-line.toml --method bishop
 has "$err" "note: the phreatic line is above the ground"
 
+slope "$two
+[stability]
+triangles = 100
+[[dike_check]]
+name = \"toe\"
+at = \"5 m\"
+aquifer = \"soil\"" >check.toml
+expect 2 polder stability check.toml
+has "$err" "uplift (toe): nothing lies on 'soil' at x = 5 m"
+
 # The page, the JSON with slices, and keys changed on the command line.
 expect 0 polder stability griffiths-lane-1 --method bishop --report page --json rows.json --slices \
   --set stability.partial_friction=1.25 --set stability.partial_cohesion=1.25

@@ -42,6 +42,21 @@ TEST(ErgunDrag, GivesTheDischargeOfTheSeepageColumn) {
   }
 }
 
+TEST(Permeability, FollowsTheVoidRatioByDecadesWithACk) {
+  for (const DragLaw law : all_laws) {
+    DragInput in;
+    in.law = law;
+    in.grain_diameter = 2e-3;
+    in.conductivity = 1e-3;
+    in.initial_porosity = 0.4;
+    in.c_k = 0.875;
+    const Drag drag = make_drag(in);
+    EXPECT_NEAR(hydraulic_conductivity(drag, 0.4, 9.81), 1e-3, 1e-12);
+    const double e = 0.4 / 0.6 + 0.875;  // a decade
+    EXPECT_NEAR(hydraulic_conductivity(drag, e / (1 + e), 9.81), 1e-2, 1e-11);
+  }
+}
+
 TEST(ErgunDrag, RelaxesTheWaterInTheTimeOfPermeabilityOverPorosityAndGravity) {
   const Drag drag = drag_of(DragLaw::ergun, 2e-3, 8.905e-4);
   // nρ dv/dt = −β v with β = n²c.

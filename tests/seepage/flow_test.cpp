@@ -143,6 +143,28 @@ TEST(Dupuit, DischargeThroughARectangularDamIsExact) {
     if (state.exit[n]) top = std::max(top, mesh.nodes[n][1]);
   EXPECT_GT(top, h2 + 0.2);
   EXPECT_NEAR(*phreatic_height(solver, state, length - 0.02), top, 0.1);
+  // Twice the conductivity everywhere, the same heads: twice the discharge.
+  FlowSolver faster(problem);
+  faster.scale_conductivity(std::vector<double>(mesh.triangles.size(), 2.0));
+  const FlowState doubled = faster.steady(0);
+  EXPECT_NEAR(discharge(faster, doubled, 1), 2 * discharge(solver, state, 1), 1e-6 * exact);
+  EXPECT_NEAR(discharge_through(faster, doubled, section), 2 * discharge_through(solver, state, section), 1e-6 * exact);
+}
+
+TEST(PhreaticHeight, IsTheLevelOfTheWaterWhereTheGroundIsSaturatedOrUnderIt) {
+  MeshRequest request;
+  request.polygons = {{{0, 0}, {4, 0}, {4, 1}, {2, 1}, {0, 2}}};
+  request.size = 0.2;
+  const Mesh mesh = make_mesh(request);
+  const FlowSolver closed({&mesh, {sharp(1e-3, 0.02)}, {}, 9810});
+  EXPECT_NEAR(*phreatic_height(closed, closed.hydrostatic(1.5), 3), 1.0, 1e-9);  // under pressure, but no water on it
+  EXPECT_NEAR(*phreatic_height(closed, closed.hydrostatic(1.0), 3), 1.0, 1e-9);
+  EXPECT_NEAR(*phreatic_height(closed, closed.hydrostatic(1.5), 0.4), 1.5, 0.02);
+  EXPECT_FALSE(phreatic_height(closed, closed.hydrostatic(-1), 3));
+  FlowProblem problem{&mesh, {sharp(1e-3, 0.02)}, {}, 9810};
+  problem.boundaries = {{"pond", FlowCondition::head, {{4, 1}, {2, 1}}, Table::constant(1.5), {}, {}, true}};
+  const FlowSolver pond(problem);
+  EXPECT_NEAR(*phreatic_height(pond, pond.hydrostatic(1.5), 3), 1.5, 1e-9);  // half a metre of water
 }
 
 TEST(Infiltration, FollowsSrivastavaAndYeh) {

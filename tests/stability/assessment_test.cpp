@@ -6,6 +6,7 @@
 
 #include "polder/case/reader.hpp"
 #include "polder/stability/lines.hpp"
+#include "polder/stability/piping.hpp"
 
 namespace polder::stability {
 namespace {
@@ -64,6 +65,37 @@ TEST(Assessment, ContoursAreLeastAtTheCriticalCentre) {
   for (const CentreFactor& c : found.contours) least = std::min(least, c.factor);
   EXPECT_GE(least, found.equilibrium.factor - 2e-3);
   EXPECT_LE(least, 1.02 * found.equilibrium.factor);
+}
+
+TEST(Assessment, DikeChecksTakeWeightsAndHeadsFromTheSection) {
+  // 3.6 m of clay, 73.44 kPa, over sand whose head gives 102 kPa at its base, 2.36 m lower.
+  ReadResult read =
+      read_case(std::string(POLDER_SOURCE_DIR) + "/cases/levee-stability-2/case.toml",
+                {"stability.pressures=\"water-net\"", "dike_check.bare clay.d70=\"200 um\"",
+                 "dike_check.bare clay.seepage_length=\"31 m\"", "dike_check.bare clay.outside_head=\"9 m\""});
+  ASSERT_TRUE(read.ok()) << format(read.diagnostics);
+  const Study study{read.model, read.stability, read.seepage};
+  const auto checks = dike_checks(study, study_sections(study).front());
+  ASSERT_EQ(checks.size(), 3u);
+  const double pressure = 102e3 - 9810 * 2.36, head = 102e3 / 9810;
+  EXPECT_NEAR(checks[0].factor, 3.6 * 20398.8 / pressure, 1e-4);
+  EXPECT_NEAR(checks[1].factor, 0.3 / ((head - 5.96) / 3.6), 1e-4);
+  PipingInput piping;
+  piping.seepage_length = 31, piping.aquifer_thickness = 2.36, piping.conductivity = 7.44e-3, piping.d70 = 200e-6;
+  EXPECT_NEAR(checks[2].factor, sellmeijer(piping).critical_head / (9 - 5.96 - 0.3 * 3.6), 1e-6);
+}
+
+TEST(Assessment, DikeChecksSayWhatTheyMiss) {
+  ReadResult read = read_case(std::string(POLDER_SOURCE_DIR) + "/cases/levee-stability-2/case.toml",
+                              {"stability.pressures=\"water-net\""});
+  ASSERT_TRUE(read.ok());
+  Study study{read.model, read.stability, read.seepage};
+  const auto problem = [&] { return dike_checks(study, study_sections(study).front()).front().problem; };
+  study.input.dike_checks.front().at = 60;
+  EXPECT_NE(problem().find("x = 60 m lies outside the section (0 to 50 m)"), std::string::npos) << problem();
+  study.input.dike_checks.front().at = 35;
+  study.input.dike_checks.front().aquifer = "clay";
+  EXPECT_NE(problem().find("nothing lies on 'clay'"), std::string::npos) << problem();
 }
 
 TEST(Assessment, JsonHasTheContractsKeys) {

@@ -92,8 +92,21 @@ TEST_P(LeveeWithUniformHead, UpliftVanAgreesWithinThreePerCent) {
 INSTANTIATE_TEST_SUITE_P(Phases, LeveeWithUniformHead,
                          ::testing::Values(Phase{82, 0, 1.47}, Phase{102, 0, 1.17}, Phase{122, 0, 0.91}));
 
-// Beyond, the sand has no effective stress left under the whole landside, and the search finds surfaces down to its
-// base that lie under the published 0.71 and 0.57; those two are for planes that stay near the clay.
+// Beyond, the sand has no effective stress left under the whole landside: factors fall steadily with the depth of the
+// plane, and a search down to the base of the sand goes under the reference's 0.71 and 0.57. Its five factors are those
+// of planes that stay 0.9 m above the base, whatever the phase.
+class LeveeAboveTheBase : public ::testing::TestWithParam<Phase> {};
+TEST_P(LeveeAboveTheBase, UpliftVanAgreesWithinOnePerCent) {
+  Section section = with_uniform_head(GetParam().pressure * 1e3).section;
+  section.limits.forbidden_lines = {{{0, sand_base + 0.9}, {50, sand_base + 0.9}}};
+  const SearchResult result = critical_uplift_van(prepare(std::move(section)));
+  ASSERT_TRUE(result) << result.problem;
+  EXPECT_NEAR(result.equilibrium.factor, GetParam().uplift_van, 0.01 * GetParam().uplift_van);
+}
+INSTANTIATE_TEST_SUITE_P(Phases, LeveeAboveTheBase,
+                         ::testing::Values(Phase{82, 0, 1.47}, Phase{102, 0, 1.17}, Phase{122, 0, 0.91},
+                                           Phase{142, 0, 0.71}, Phase{162, 0, 0.57}));
+
 TEST(LeveeWithUniformHead, SearchGoesBelowTheReferenceOnceTheSandFloats) {
   const SearchResult at_142 = critical_uplift_van(with_uniform_head(142e3));
   const SearchResult at_162 = critical_uplift_van(with_uniform_head(162e3));

@@ -103,5 +103,13 @@ TEST(Limits, ForbiddenLineIsNotCrossed) {
   EXPECT_GT(base_level(result.surface, 20), 3 - 0.05);
 }
 
+TEST(Limits, ForbiddenZoneIsNotEntered) {
+  Section section = testing::griffiths_lane_1();
+  section.limits.forbidden_zones = {{{0, 0}, {50, 0}, {50, 2}, {0, 2}}};
+  const SearchResult result = critical_circle(prepare(section), by_bishop);
+  ASSERT_TRUE(result) << result.problem;
+  for (const Slice& slice : result.slices.list) EXPECT_GT(slice.base(), 2 - 0.02);
+}
+
 }  // namespace
 }  // namespace polder::stability

@@ -47,6 +47,8 @@ struct MaterialInput {
   std::optional<std::array<double, 2>> permeability;
   /// m of K = K(n₀) [(1 − n₀)/(1 − n)]^m, in place of Kozeny–Carman's change with the porosity.
   std::optional<double> permeability_exponent;
+  /// c_k of K = K(n₀) 10^(Δe/c_k), in place of Kozeny–Carman's change with the porosity.
+  std::optional<double> permeability_change;
   bool fixed = false;  ///< rigid soil that does not move (a porous block)
 };
 

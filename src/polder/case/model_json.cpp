@@ -43,6 +43,7 @@ Json material_json(const MaterialInput& m) {
             {"ergun_b", m.ergun_b},
             {"fixed", m.fixed}};
   if (m.permeability_exponent) json["permeability_exponent"] = *m.permeability_exponent;
+  if (m.permeability_change) json["permeability_change"] = *m.permeability_change;
   if (m.grain_diameter > 0) json["grain_diameter"] = m.grain_diameter;
   if (m.permeability) {
     json["horizontal_permeability"] = (*m.permeability)[0];

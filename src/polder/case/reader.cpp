@@ -79,6 +79,12 @@ MaterialInput read_material(const Fields& f, const LawDescription* law, const Mo
   material.ergun_a = f.number("ergun_a", material.ergun_a);
   material.ergun_b = f.number("ergun_b", material.ergun_b);
   if (const Entry* exponent = f.find("permeability_exponent")) material.permeability_exponent = exponent->number;
+  if (const Entry* change = f.find("permeability_change")) {
+    material.permeability_change = change->number;
+    if (material.permeability_exponent)
+      report(diagnostics, f.place_of("permeability_change"), f.path_of("permeability_change"),
+             "goes against permeability_exponent", "keep one of them");
+  }
   material.fixed = f.flag("fixed");
   static constexpr DragLaw drags[] = {DragLaw::ergun, DragLaw::darcy, DragLaw::beetstra, DragLaw::gidaspow};
   if (const Entry* drag = f.find("drag")) material.drag = drags[static_cast<std::size_t>(drag->number)];

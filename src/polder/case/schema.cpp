@@ -64,6 +64,10 @@ const std::vector<Section> sections = {
      "A line on which the head is known, for the factor of safety: pressure is linear in height between the water "
      "table, "
      "such lines one under the other, and hydrostatic under the last."},
+    {"dike_check", true, false,
+     "A place behind a dike where `polder stability` checks uplift, heave and (with a `d70`) piping: weights and heads "
+     "are "
+     "those of the section there."},
     {"load", true, false,
      "A pressure on the ground, downwards. It moves with the soil that is at the surface when it comes, or travels "
      "over "
@@ -135,6 +139,10 @@ std::vector<Key> make_keys() {
        "Of the grain skeleton alone, instead of `permeability`: k = κ ρw g / μ."},
       {"material", "permeability_exponent", "m", "ratio", false, "", 0, 20, "2",
        "K changes with the porosity as [(1 − n₀)/(1 − n)]^m instead of as Kozeny–Carman says; 0: it stays."},
+      {"material", "permeability_change", "c_k", "ratio", false, "", 1e-3, 1e6, "0.875",
+       "K changes with the void ratio e = n/(1 − n) as 10^(Δe/c_k) instead of as Kozeny–Carman says. In `polder "
+       "seepage` with "
+       "`seepage.deformation`, too."},
       {"material", "drag", "", "choice:ergun|darcy|beetstra|gidaspow", false, "ergun", any, infinity, R"("ergun")",
        "Force between grains and water: Ergun–Forchheimer (quadratic), Darcy (linear), or a law that also holds for "
        "dilute suspensions."},

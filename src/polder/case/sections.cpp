@@ -161,6 +161,7 @@ Sections read_sections(const Value& document, Diagnostics& diagnostics) {
     if (section.name == "change") sections.changes = all();
     if (section.name == "well") sections.wells = all();
     if (section.name == "rain") sections.rains = all();
+    if (section.name == "dike_check") sections.dike_checks = all();
     if (section.name == "seepage") sections.seepage = one();
     if (section.name == "retention") sections.retentions = all();
     if (section.name == "seepage_boundary") sections.seepage_boundaries = all();

@@ -16,7 +16,8 @@ struct SeepageInput {
   double mesh_size = 0;       ///< m, sides of the triangles; 0: the case's cell
   std::vector<double> times;  ///< s, instants of a transient computation, ascending; empty: steady
   SeepageStart start = SeepageStart::water_table;
-  double steady_time = 0;  ///< s, at which a steady computation takes heads that change with time
+  bool deformation = false;  ///< the ground deforms with the flow (elastic–plastic, small strains)
+  double steady_time = 0;    ///< s, at which a steady computation takes heads that change with time
   std::vector<MaterialRetention> retentions;
   std::vector<SeepageCondition> conditions;
 };

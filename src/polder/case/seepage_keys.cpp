@@ -15,6 +15,10 @@ std::vector<Key> seepage_keys() {
        "What a transient computation starts from at t = 0: heads of `initial.water_table`, or steady seepage."},
       {"seepage", "steady_time", "", "time", false, "0 s", 0, infinity, R"("0 s")",
        "The time at which a steady computation takes heads that change with time."},
+      {"seepage", "deformation", "", "flag", false, "false", any, infinity, "true",
+       "The ground deforms with the flow from one instant to the next (finite elements with Mohr and Coulomb's "
+       "strength, "
+       "small strains), and its permeability with its void ratio."},
       // ---- retention
       {"retention", "material", "", "name", false, "", any, infinity, R"("sand")",
        "Name of the `[[material]]` that it belongs to. Needed."},

@@ -63,6 +63,7 @@ SeepageInput read_seepage(const Sections& sections, const Model& model, Diagnost
   if (const Entry* times = f.find("times")) input.times = times->numbers;
   std::sort(input.times.begin(), input.times.end());
   input.start = f.text("start") == "steady" ? SeepageStart::steady : SeepageStart::water_table;
+  input.deformation = f.flag("deformation");
   input.steady_time = f.number("steady_time");
   for (const Fields& retention : sections.retentions)
     input.retentions.push_back(read_retention(retention, model, diagnostics));

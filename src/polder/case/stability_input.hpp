@@ -181,6 +181,18 @@ struct MaterialStrength {
   double variation = 0;  ///< coefficient of variation of c', tan φ' or s_u, for the probabilistic run
 };
 
+/// Where water would break out of the ground behind a dike: uplift, heave and piping are checked there.
+struct DikeCheckInput {
+  std::string name;
+  double at = 0;                 ///< m, x of the exit
+  std::string aquifer;           ///< material of the sand under the blanket
+  double critical_gradient = 0;  ///< of heave
+  double d70 = 0;                ///< m; 0: piping is not checked
+  double seepage_length = 0;     ///< m, entry to exit
+  double outside_head = 0;       ///< m, of the water that drives the pipe
+  double thickness = 0;          ///< m, of the aquifer; 0: that of the section at the exit
+};
+
 struct Input {
   std::vector<MaterialStrength> strengths;
   Line phreatic;  ///< empty: the model's water table
@@ -201,6 +213,7 @@ struct Input {
   PartialFactors partial_factors;
   Line fixed_line;           ///< strength reduction holds the outline along it
   double fem_triangles = 0;  ///< of strength reduction; 0: its own number
+  std::vector<DikeCheckInput> dike_checks;
 };
 
 }  // namespace polder::stability

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace polder::case_file {
 namespace {
 
@@ -47,6 +49,26 @@ MaterialStrength read_strength(const Fields& f, const Model& model, Diagnostics&
   if (f.find("unit_weight")) out.unit_weight = f.number("unit_weight");
   if (f.find("saturated_unit_weight")) out.saturated_unit_weight = f.number("saturated_unit_weight");
   out.variation = f.number("variation");
+  return out;
+}
+
+DikeCheckInput read_dike_check(const Fields& f, const Model& model, std::size_t number, Diagnostics& diagnostics) {
+  DikeCheckInput out;
+  out.name = f.text("name").empty() ? fmt::format("{}", number) : f.text("name");
+  need(f, "at", diagnostics), need(f, "aquifer", diagnostics);
+  out.at = f.number("at");
+  out.aquifer = f.text("aquifer");
+  const bool known = std::any_of(model.materials.begin(), model.materials.end(),
+                                 [&](const MaterialInput& m) { return m.name == out.aquifer; });
+  if (!known && f.is_given("aquifer"))
+    report(diagnostics, f.place_of("aquifer"), f.path_of("aquifer"),
+           fmt::format("there is no material \"{}\"", out.aquifer), "name one of the [[material]] sections");
+  out.critical_gradient = f.number("critical_gradient", 0.3);
+  out.d70 = f.number("d70");
+  if (out.d70 > 0) need(f, "seepage_length", diagnostics), need(f, "outside_head", diagnostics);
+  out.seepage_length = f.number("seepage_length");
+  out.outside_head = f.number("outside_head");
+  out.thickness = f.number("thickness");
   return out;
 }
 
@@ -107,6 +129,8 @@ stability::Input read_stability(const Sections& sections, const Model& model, Di
       strip.consolidation.assign(model.soils.size(), degree);
     input.loads.push_back(strip);
   }
+  for (const Fields& check : sections.dike_checks)
+    input.dike_checks.push_back(read_dike_check(check, model, input.dike_checks.size() + 1, diagnostics));
   input.earthquake = {f.number("horizontal_quake"), f.number("vertical_quake")};
   input.crack = {f.number("crack_depth"), f.number("crack_water")};
   input.limits.entry = range_of(f, "entry", diagnostics);
@@ -114,6 +138,7 @@ stability::Input read_stability(const Sections& sections, const Model& model, Di
   if (f.find("minimum_depth")) input.minimum_depth = f.number("minimum_depth");
   input.limits.minimum_length = f.number("minimum_length");
   if (f.find("forbidden_line")) input.limits.forbidden_lines.push_back(line_of(f, "forbidden_line"));
+  if (f.find("forbidden_zone")) input.limits.forbidden_zones.push_back(line_of(f, "forbidden_zone"));
   const std::string movement = f.text("movement");
   input.movement = movement == "left" ? Movement::left : movement == "right" ? Movement::right : Movement::automatic;
   read_surfaces(f, input, diagnostics);

@@ -1,5 +1,6 @@
 #pragma once
-// The case file's sections that only the factor of safety reads: [stability], [[strength]], [[head_line]], [[load]].
+// The case file's sections that only the factor of safety reads: [stability], [[strength]], [[head_line]],
+// [[dike_check]], [[load]].
 #include <vector>
 
 #include "polder/case/sections.hpp"

@@ -16,12 +16,14 @@
 // Flow and Fluidization; Beetstra, van der Hoef and Kuipers (2007), AIChE J. 53.
 //
 // With an exponent m the linear part follows K = K(n₀) [(1 − n₀)/(1 − n)]^m instead: (1 − n₀)/(1 − n) is the ratio of
-// a volume of soil to its volume at the start.
+// a volume of soil to its volume at the start. With a c_k it follows K = K(n₀) 10^(Δe/c_k), e = n/(1 − n) (Taylor
+// 1948).
 //
 // A given hydraulic conductivity K(n₀) is kept as the grain diameter that Kozeny–Carman (κ = D²n³/(A(1−n)²)) assigns
 // to it: all laws then scale with the porosity alike, and Ergun's b = ρ_w B/√(A n³κ) follows.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -39,6 +41,7 @@ struct DragInput {
   double water_density = 1000, viscosity = 1e-3;  ///< kg/m³, Pa s
   double gravity = 9.81;                          ///< m/s², the one that the conductivity refers to
   std::optional<double> exponent;  ///< m of K = K(n₀) [(1 − n₀)/(1 − n)]^m; absent: Kozeny–Carman
+  std::optional<double> c_k;       ///< of K = K(n₀) 10^(Δe/c_k), instead
 };
 
 /// Coefficients of one material in one direction (make two where horizontal and vertical permeability differ).
@@ -48,10 +51,11 @@ struct Drag {
   double inertial;  ///< kg/m⁴, factor of (1−n)|q|/n³
   double diameter;  ///< m, of the grain in a suspension
   double density, viscosity;
-  bool power = false;      ///< the linear part follows [(1 − n)/(1 − n₀)]^exponent, not Kozeny–Carman
+  bool power = false;      ///< the linear part follows [(1 − n)/(1 − n₀)]^exponent or c_k, not Kozeny–Carman
   double exponent = 0;     ///< m
   double at_start = 0;     ///< Pa s/m², the linear part at n₀
   double solid_start = 1;  ///< 1 − n₀
+  double void_rate = 0;    ///< ln 10/c_k; 0: the exponent
 
   /// Whether linear_resistance() and quadratic_resistance() say it all.
   bool plain() const { return law == DragLaw::ergun || law == DragLaw::darcy; }
@@ -62,6 +66,7 @@ struct Drag {
 /// μ/κ(n), Pa s/m²: what resists slow flow in packed soil.
 inline double linear_resistance(const Drag& drag, double n) {
   const double phi = 1 - n;
+  if (drag.void_rate > 0) return drag.at_start * std::exp(-drag.void_rate * (1 / phi - 1 / drag.solid_start));
   if (drag.power) return drag.at_start * std::pow(phi / drag.solid_start, drag.exponent);
   double c = drag.viscous * phi * phi / (n * n * n);
   if (drag.law == DragLaw::beetstra)
@@ -163,10 +168,11 @@ inline Drag make_drag(const DragInput& in) {
   const double b = in.law == DragLaw::darcy || beetstra ? 0.0 : in.ergun_b;
   Drag drag{in.law,      a * in.viscosity / (packed * packed), b * in.water_density / packed, grain, in.water_density,
             in.viscosity};
-  if (in.exponent) {
+  if (in.exponent || in.c_k) {
     drag.at_start = linear_resistance(drag, n);
     drag.solid_start = phi;
-    drag.exponent = *in.exponent;
+    drag.exponent = in.exponent.value_or(0);
+    drag.void_rate = in.c_k ? std::numbers::ln10 / *in.c_k : 0;
     drag.power = true;
   }
   return drag;

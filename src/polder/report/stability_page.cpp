@@ -60,6 +60,24 @@ std::string factor_table(const Assessment& all) {
   return table({"Method", "Surface", "Factor of safety", "Reference", "Verdict", "Seconds"}, rows, 2);
 }
 
+std::string checks_block(const Assessment& all) {
+  std::vector<std::vector<std::string>> rows;
+  for (const DikeCheck& check : all.checks) {
+    const bool safe = check.problem.empty() && check.factor >= 1;
+    const std::string factor = !check.problem.empty()     ? "–"
+                               : std::isinf(check.factor) ? "nothing drives"
+                                                          : fmt::format("{:.3f}", check.factor);
+    rows.push_back({escaped(check.label), escaped(check.problem.empty() ? check.remark : check.problem),
+                    escaped(check.water), "<b>" + factor + "</b>",
+                    fmt::format("<span class=\"{}\">{}</span>", safe ? "pass" : "fail", safe ? "holds" : "fails"),
+                    check.expected
+                        ? fmt::format("{:.3f} ± {:.1f} %", check.expected->reference, 100 * check.expected->tolerance)
+                        : ""});
+  }
+  return block("Dike checks", "A dike fails by piping only where uplift, heave and piping all go wrong.",
+               table({"Check", "Numbers", "Water", "Factor", "", "Reference"}, rows, 3));
+}
+
 std::string references(const Assessment& all) {
   std::string html;
   for (const Factor& row : all.factors)
@@ -183,6 +201,7 @@ std::string stability_page(const Assessment& all, const std::string& version) {
   body += facts(all);
   for (const std::string& note : all.notes) body += fmt::format("<p class=\"lead\">{}</p>\n", escaped(note));
   body += block("Factors of safety", "", factor_table(all) + references(all));
+  if (!all.checks.empty()) body += checks_block(all);
   if (!all.probabilities.empty()) body += probability_block(all);
   for (const Factor& row : all.factors) {
     if (row.strengths != Strengths::given || !row.outcome) continue;

@@ -39,7 +39,7 @@ FlowSolver::FlowSolver(FlowProblem problem) : problem_(std::move(problem)) {
       throw std::invalid_argument(fmt::format("seepage: no material for region {} of the mesh", region));
     const auto& k = problem_.materials[region].conductivity;
     for (const auto& sub : sub_triangles) {
-      Piece piece{{}, region, 0, {}};
+      Piece piece{{}, region, static_cast<std::size_t>(e), 0, {}};
       for (int i = 0; i < 3; ++i) piece.node[i] = mesh.triangles[e][sub[i]];
       std::array<double, 3> gx{}, gy{};
       for (int i = 0; i < 3; ++i) {
@@ -131,6 +131,12 @@ std::vector<FlowSolver::NodeCondition> FlowSolver::conditions(double time) const
   return all;
 }
 
+void FlowSolver::scale_conductivity(std::vector<double> factor) {
+  if (factor.size() != problem_.mesh->triangles.size())
+    throw std::invalid_argument("seepage: a factor on the conductivity is needed for every triangle");
+  scale_ = std::move(factor);
+}
+
 double FlowSolver::stored(const FlowState& state) const {
   double sum = 0;
   for (const Piece& piece : pieces_) {
@@ -178,6 +184,9 @@ bool FlowSolver::step(FlowState& state, double dt, const FlowOptions& options, i
         kr += relative(m, gamma, psi) / 3;
         if (newton) slope[i] = relative_slope(m, gamma, psi) / 3;
       }
+      const double scale = conductivity_scale(piece.triangle);
+      kr *= scale;
+      for (double& s : slope) s *= scale;
       for (int i = 0; i < 3; ++i) {
         double flow = 0;
         for (int j = 0; j < 3; ++j) flow += piece.conductance[i][j] * head[piece.node[j]];

@@ -84,6 +84,10 @@ class FlowSolver {
   /// Moves `state` to time `until`.
   FlowTally advance(FlowState& state, double until, const FlowOptions& options = {}) const;
 
+  /// Conductivity of every triangle of the mesh over that of its material, from now on (soil whose pores have changed).
+  void scale_conductivity(std::vector<double> factor);
+  /// That of triangle `e`.
+  double conductivity_scale(std::size_t e) const { return scale_.empty() ? 1.0 : scale_[e]; }
   /// Water held by the pores, m².
   double stored(const FlowState& state) const;
   const FlowProblem& problem() const { return problem_; }
@@ -100,6 +104,7 @@ class FlowSolver {
   struct Piece {  ///< a linear triangle
     std::array<int, 3> node;
     int material;
+    std::size_t triangle;
     double area;
     std::array<std::array<double, 3>, 3> conductance;  ///< ∫∇N·k∇N, saturated
   };
@@ -110,6 +115,7 @@ class FlowSolver {
   FlowProblem problem_;
   std::vector<Piece> pieces_;
   std::vector<BoundaryNodes> boundaries_;
+  std::vector<double> scale_;        ///< per triangle; empty: 1
   std::vector<double> conductance_;  ///< per node, m/s: outflow per metre of its head, saturated
 };
 

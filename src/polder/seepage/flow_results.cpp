@@ -4,6 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace polder {
 namespace {
@@ -11,17 +12,20 @@ namespace {
 struct SubTriangle {
   std::array<int, 3> node;
   int material;
+  std::size_t triangle;
 };
 
 template <class F>
 void for_each_piece(const Mesh& mesh, F f) {
   for (std::size_t e = 0; e < mesh.triangles.size(); ++e)
     for (const auto& sub : sub_triangles)
-      f(SubTriangle{{mesh.triangles[e][sub[0]], mesh.triangles[e][sub[1]], mesh.triangles[e][sub[2]]}, mesh.region[e]});
+      f(SubTriangle{
+          {mesh.triangles[e][sub[0]], mesh.triangles[e][sub[1]], mesh.triangles[e][sub[2]]}, mesh.region[e], e});
 }
 
 /// Specific discharge in a linear triangle, and twice its area.
-Point2 darcy(const FlowProblem& problem, const FlowState& state, const SubTriangle& t, double& twice) {
+Point2 darcy(const FlowSolver& solver, const FlowState& state, const SubTriangle& t, double& twice) {
+  const FlowProblem& problem = solver.problem();
   const Mesh& mesh = *problem.mesh;
   const FlowMaterial& m = problem.materials[t.material];
   const Point2 &a = mesh.nodes[t.node[0]], &b = mesh.nodes[t.node[1]], &c = mesh.nodes[t.node[2]];
@@ -35,6 +39,7 @@ Point2 darcy(const FlowProblem& problem, const FlowState& state, const SubTriang
         std::max(relative_conductivity(m.curve, m.retention, (mesh.nodes[n][1] - state.head[n]) * problem.unit_weight),
                  m.least_relative) /
         3;
+  kr *= solver.conductivity_scale(t.triangle);
   return {-m.conductivity[0] * kr * gradient[0], -m.conductivity[1] * kr * gradient[1]};
 }
 
@@ -76,7 +81,7 @@ double discharge_through(const FlowSolver& solver, const FlowState& state, std::
       }
       if (to <= from) return;
       double twice = 0;
-      const Point2 q = darcy(solver.problem(), state, t, twice);
+      const Point2 q = darcy(solver, state, t, twice);
       sum += (to - from) * (q[0] * dy - q[1] * dx);
     });
   }
@@ -110,7 +115,8 @@ ExitFlow exit_flow(const FlowSolver& solver, const FlowState& state, int boundar
     if (place[side.a] < 0 || place[side.b] < 0) continue;
     const double dx = mesh.nodes[side.b][0] - mesh.nodes[side.a][0], dy = mesh.nodes[side.b][1] - mesh.nodes[side.a][1];
     const auto& k = solver.problem().materials[mesh.region[side.triangle]].conductivity;
-    const double normal = (k[0] * dy * dy + k[1] * dx * dx) / (dx * dx + dy * dy);
+    const double normal = solver.conductivity_scale(static_cast<std::size_t>(side.triangle)) *
+                          (k[0] * dy * dy + k[1] * dx * dx) / (dx * dx + dy * dy);
     for (const int n : {side.a, side.middle, side.b}) conductivity[place[n]] = std::max(conductivity[place[n]], normal);
   }
   for (int i = 0; i < count; ++i) {
@@ -139,15 +145,47 @@ std::vector<std::array<Point2, 2>> phreatic_line(const FlowSolver& solver, const
   return pieces;
 }
 
-std::optional<double> phreatic_height(const FlowSolver& solver, const FlowState& state, double x) {
-  std::optional<double> highest;
-  for (const auto& [a, b] : phreatic_line(solver, state)) {
-    if (std::min(a[0], b[0]) > x || std::max(a[0], b[0]) < x) continue;
-    const double s = b[0] != a[0] ? (x - a[0]) / (b[0] - a[0]) : 1.0;
-    const double y = a[1] + s * (b[1] - a[1]);
-    highest = std::max(highest.value_or(y), y);
+std::vector<std::optional<double>> phreatic_heights(const FlowSolver& solver, const FlowState& state,
+                                                    std::span<const double> xs) {
+  const Mesh& mesh = *solver.problem().mesh;
+  const auto line = phreatic_line(solver, state);
+  const auto sides = outline(mesh);
+  // Water stands on the ground where it has a head; under what is closed there is only pressure.
+  std::vector<bool> under_water(mesh.nodes.size(), false);
+  const auto& boundaries = solver.problem().boundaries;
+  for (std::size_t b = 0; b < boundaries.size(); ++b)
+    if (boundaries[b].condition == FlowCondition::head)
+      for (const int n : solver.boundary_nodes(static_cast<int>(b)).node) under_water[n] = true;
+  std::vector<std::optional<double>> heights;
+  for (const double x : xs) {
+    std::optional<double> highest;
+    for (const auto& [a, b] : line) {
+      if (std::min(a[0], b[0]) > x || std::max(a[0], b[0]) < x) continue;
+      const double s = b[0] != a[0] ? (x - a[0]) / (b[0] - a[0]) : 1.0;
+      const double y = a[1] + s * (b[1] - a[1]);
+      highest = std::max(highest.value_or(y), y);
+    }
+    // Where water stands in the ground up to its face, or on it: the level that it has there.
+    double ground = -std::numeric_limits<double>::infinity(), pressure_head = -1;
+    for (const MeshEdge& side : sides)
+      for (const auto& [p, q] : {std::pair{side.a, side.middle}, {side.middle, side.b}}) {
+        const Point2 &a = mesh.nodes[p], &b = mesh.nodes[q];
+        if (a[0] == b[0] || std::min(a[0], b[0]) > x || std::max(a[0], b[0]) < x) continue;
+        const double s = (x - a[0]) / (b[0] - a[0]), y = a[1] + s * (b[1] - a[1]);
+        if (y <= ground) continue;
+        ground = y;
+        pressure_head = state.head[p] + s * (state.head[q] - state.head[p]) - y;
+        if (!under_water[p] || !under_water[q]) pressure_head = std::min(pressure_head, 0.0);
+      }
+    constexpr double dry = -1e-6;  // m
+    if (pressure_head > dry) highest = ground + std::max(pressure_head, 0.0);
+    heights.push_back(highest);
   }
-  return highest;
+  return heights;
+}
+
+std::optional<double> phreatic_height(const FlowSolver& solver, const FlowState& state, double x) {
+  return phreatic_heights(solver, state, {&x, 1}).front();
 }
 
 std::vector<Point2> specific_discharge(const FlowSolver& solver, const FlowState& state) {
@@ -156,7 +194,7 @@ std::vector<Point2> specific_discharge(const FlowSolver& solver, const FlowState
   std::vector<double> weight(mesh.nodes.size(), 0);
   for_each_piece(mesh, [&](const SubTriangle& t) {
     double twice = 0;
-    const Point2 q = darcy(solver.problem(), state, t, twice);
+    const Point2 q = darcy(solver, state, t, twice);
     for (const int n : t.node) {
       weight[n] += twice;
       for (int k = 0; k < 2; ++k) sum[n][k] += twice * q[k];

@@ -25,7 +25,10 @@ ExitFlow exit_flow(const FlowSolver& solver, const FlowState& state, int boundar
 /// The water table: pieces of the line p = 0.
 std::vector<std::array<Point2, 2>> phreatic_line(const FlowSolver& solver, const FlowState& state);
 
-/// Height of the water table at x: the highest point of p = 0 there; absent where there is none.
+/// Height of the water table at every x: the highest point of p = 0 there; the face of the ground where it is saturated
+/// up to it, the level of water that stands on it; absent where there is none.
+std::vector<std::optional<double>> phreatic_heights(const FlowSolver& solver, const FlowState& state,
+                                                    std::span<const double> xs);
 std::optional<double> phreatic_height(const FlowSolver& solver, const FlowState& state, double x);
 
 /// Specific discharge (m/s) at the nodes, averaged over the triangles around them.

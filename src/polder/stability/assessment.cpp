@@ -86,7 +86,7 @@ bool Factor::pass() const {
 
 Assessment assess(const Study& study, const AssessmentOptions& options, const std::vector<ExpectedFactor>& expected,
                   const Told& told) {
-  Assessment all{study.model.name, study.model.title, study_sections(study), {}, {}, {}};
+  Assessment all{study.model.name, study.model.title, study_sections(study), {}, {}, {}, {}};
   for (const StudySection& section : all.sections)
     for (const std::string& note : notes(section.prepared)) all.notes.push_back(note);
 
@@ -128,6 +128,13 @@ Assessment assess(const Study& study, const AssessmentOptions& options, const st
       compute(*method, at, Strengths::given);
       if (scatter) compute(*method, at, Strengths::characteristic);
       if (has_factors(partial)) compute(*method, at, Strengths::design);
+    }
+  for (std::size_t at = 0; options.dike_checks && at < all.sections.size(); ++at)
+    for (DikeCheck& check : dike_checks(study, all.sections[at])) {
+      if (at > 0) check.label += fmt::format(" ({})", check.water);
+      for (const ExpectedFactor& e : expected)
+        if (e.method == check.label) check.expected = e;
+      all.checks.push_back(std::move(check));
     }
   const StabilityMethod& first = *options.methods.front();
   if (options.form) all.probabilities.push_back(probability(study, all.sections.front(), first, true, 0));

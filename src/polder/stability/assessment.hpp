@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "polder/stability/dike_checks.hpp"
 #include "polder/stability/expected.hpp"
 #include "polder/stability/methods.hpp"
 #include "polder/stability/reliability.hpp"
@@ -38,12 +39,14 @@ struct AssessmentOptions {
   bool contours = false;  ///< least factors over a grid of centres around Bishop's critical circle
   bool form = false;
   int samples = 0;  ///< of Monte Carlo; 0: none
+  bool dike_checks = true;
 };
 
 struct Assessment {
   std::string name, title;
   std::vector<StudySection> sections;
   std::vector<Factor> factors;
+  std::vector<DikeCheck> checks;
   std::vector<Probability> probabilities;
   std::vector<std::string> notes;
 };

@@ -62,11 +62,24 @@ Json factor_json(const std::string& name, const Factor& row, const AssessmentDet
   return entry;
 }
 
+Json check_json(const std::string& name, const DikeCheck& check) {
+  Json entry{{"case", name}, {"method", check.label}};
+  entry["factor_of_safety"] = check.problem.empty() ? number(check.factor) : Json();
+  entry["reference"] = check.expected ? Json(check.expected->reference) : Json();
+  entry["tolerance"] = check.expected ? Json(check.expected->tolerance) : Json();
+  entry["pass"] = check.pass();
+  entry["water"] = check.water;
+  entry["remark"] = check.remark;
+  if (!check.problem.empty()) entry["problem"] = check.problem;
+  return entry;
+}
+
 }  // namespace
 
 Json assessment_json(const Assessment& assessment, const AssessmentDetails& details) {
   Json list = Json::array();
   for (const Factor& row : assessment.factors) list.push_back(factor_json(assessment.name, row, details));
+  for (const DikeCheck& check : assessment.checks) list.push_back(check_json(assessment.name, check));
   for (const Probability& p : assessment.probabilities) {
     const Reliability& r = p.reliability;
     Json entry{{"case", assessment.name},

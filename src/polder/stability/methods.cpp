@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "polder/stability/section_from_model.hpp"
+#include "polder/stability/sliding_area.hpp"
 
 namespace polder::stability {
 namespace {
@@ -78,8 +79,10 @@ Outcome run_strength_reduction(const Study& study, const PreparedSection& prepar
   outcome.problem = reduction->problem;
   outcome.factor = reduction->result.factor;
   if (outcome)
-    outcome.remark = fmt::format("stands at {:.3f}, fails at {:.3f}; {} triangles", reduction->result.stable,
-                                 reduction->result.failed, reduction->mesh.triangles.size());
+    outcome.remark =
+        fmt::format("stands at {:.3f}, fails at {:.3f}, {:.4g} m2 slide; {} triangles", reduction->result.stable,
+                    reduction->result.failed, sliding_area(reduction->mesh, reduction->result.mechanism),
+                    reduction->mesh.triangles.size());
   outcome.reduction = reduction;
   return outcome;
 }

@@ -89,9 +89,13 @@ SearchResult critical_uplift_van(const PreparedSection& prepared, const std::opt
       return attempt({{active, at[4] + up_a}, {passive, at[4] + up_p}, at[4]});
     };
   };
+  // Long planes and short ones are valleys of their own: several populations, for one may settle in the wrong valley.
+  constexpr std::uint64_t populations = 4;
   const Movement movement = prepared.section.movement;
-  if (movement != Movement::left) minimise(objective(1), low, high, {}, evolution);
-  if (movement != Movement::right) minimise(objective(-1), low, high, {}, evolution);
+  for (std::uint64_t k = 0; k < populations; ++k, ++evolution.seed) {
+    if (movement != Movement::left) minimise(objective(1), low, high, {}, evolution);
+    if (movement != Movement::right) minimise(objective(-1), low, high, {}, evolution);
+  }
   return trials.finish(best.get());
 }
 

@@ -78,7 +78,8 @@ SectionReduction reduce_strength(const PreparedSection& prepared, const SectionR
             (column.pieces.front().top[0] + column.pieces.front().top[1] - column.pieces.back().base[0] -
              column.pieces.back().base[1]) /
             2;
-  request.size = std::sqrt(area / options.triangles / 0.55);
+  constexpr double share = 0.37;  // of size²: mean area of the mesher's triangles
+  request.size = std::sqrt(area / options.triangles / share);
   for (const StripLoad& load : section.strip_loads) request.lines.push_back(ground_line(prepared, load.from, load.to));
   out.mesh = make_mesh(request);
 

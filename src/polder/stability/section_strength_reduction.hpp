@@ -8,7 +8,7 @@
 namespace polder::stability {
 
 struct SectionReductionOptions {
-  double triangles = 2000;                          ///< about so many
+  double triangles = 3000;                          ///< about so many
   double young_modulus = 1e8, poisson_ratio = 0.3;  ///< Pa; they hardly change the factor (Griffiths & Lane 1999)
   std::vector<std::array<double, 2>> stiffness;     ///< Pa, –: E and ν of each soil where they are known
   std::vector<Line> fixed;                          ///< parts of the outline that do not move

@@ -36,10 +36,10 @@ void take_pressures(const FlowSolver& solver, const FlowState& state, double spa
   }
 
   section.water.phreatic.clear();
-  for (int i = 0; i < grid.count_x; ++i) {
-    const double x = within(low[0] + i * grid.spacing_x, 0);
-    section.water.phreatic.push_back({x, phreatic_height(solver, state, x).value_or(low[1])});
-  }
+  std::vector<double> xs;
+  for (int i = 0; i < grid.count_x; ++i) xs.push_back(within(low[0] + i * grid.spacing_x, 0));
+  const auto heights = phreatic_heights(solver, state, xs);
+  for (std::size_t i = 0; i < xs.size(); ++i) section.water.phreatic.push_back({xs[i], heights[i].value_or(low[1])});
   section.water.phreatic = simplified(section.water.phreatic, spacing / 20);
   section.water.references.clear();
   section.water.unit_weight = solver.problem().unit_weight;

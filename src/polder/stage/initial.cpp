@@ -175,7 +175,8 @@ Setup<Space> make_setup(const Model& model) {
                      model.water.density,
                      model.water.viscosity,
                      model.gravity > 0 ? model.gravity : standard_gravity,
-                     input.permeability_exponent};
+                     input.permeability_exponent,
+                     input.permeability_change};
       if (input.permeability) drag.conductivity = (*input.permeability)[d];
       material.drag[d] = make_drag(drag);
     }

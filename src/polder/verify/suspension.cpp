@@ -50,7 +50,8 @@ double by_law(const Model& model, double n) {
                                .water_density = model.water.density,
                                .viscosity = model.water.viscosity,
                                .gravity = model.gravity,
-                               .exponent = {}});
+                               .exponent = {},
+                               .c_k = {}});
   const double weight = (1 - n) * (m.grain_density - model.water.density) * model.gravity;
   return root([&](double q) { return drag_coefficient(drag, n, q) * q - weight; }, 1e-12, 10) / n;
 }
