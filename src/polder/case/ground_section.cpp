@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "polder/case/geometry.hpp"
 #include "polder/case/ground_load.hpp"
 
 namespace polder::case_file {
@@ -151,7 +152,24 @@ void check_change(const GroundChange& change, const Fields& f, const Model& mode
            "make no material fixed, or all of them");
 }
 
+/// The splines of the uppermost points, a quarter of a cell under the ground, must not reach the model's top, which
+/// would bear a part of the load.
+void check_room_above(const Sections& sections, const Model& model, Diagnostics& diagnostics) {
+  const std::size_t up = model.space == SpaceKind::solid ? 2 : 1;
+  const double needed = 1.25 * model.cell[up];
+  double highest = 0;
+  for (const SoilBody& soil : model.soils)
+    if (!soil.region.polygon.empty()) highest = std::max(highest, bounds(soil.region.polygon).high[1]);
+  if (model.size[up] - highest > needed * (1 - 1e-9)) return;
+  warn(diagnostics, sections.loads.front().place_of("span"), sections.loads.front().path_of("span"),
+       fmt::format(
+           "the ground reaches {:.6g} m, so near the model's top at {:.6g} m that the top bears a part of the load",
+           highest, model.size[up]),
+       fmt::format("make the model at least {:.6g} m high", highest + needed));
+}
+
 void check_loads(const Sections& sections, const Model& model, Diagnostics& diagnostics) {
+  if (!model.loads.empty()) check_room_above(sections, model, diagnostics);
   const auto last = [&](const GroundLoad& l) { return l.until_stage < 0 ? 1 << 30 : l.until_stage; };
   for (std::size_t i = 0; i < model.loads.size(); ++i) {
     const GroundLoad& load = model.loads[i];
