@@ -11,8 +11,7 @@
 
 namespace polder {
 
-/// Grids (and levels of the multigrid) of fewer cells are worked on by one thread: the others would cost more time in
-/// barriers than they save.
+/// Grids of fewer cells are worked on by one thread: the others would cost more time in barriers than they save.
 inline constexpr std::ptrdiff_t cells_worth_sharing = 4000;
 
 template <class Space>

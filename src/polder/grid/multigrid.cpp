@@ -11,6 +11,9 @@ namespace {
 constexpr double coarse_scale = 1 / 1.8;
 constexpr std::ptrdiff_t coarsest_cells = 40;
 constexpr std::ptrdiff_t lanes = 8;
+// Of a level, for its sweeps to be shared: they wait at barriers of a team that is awake, which costs less than waking
+// it for a loop (cells_worth_sharing).
+constexpr std::ptrdiff_t cells_worth_a_barrier = 1500;
 }  // namespace
 
 template <class Space>
@@ -53,7 +56,7 @@ Multigrid<Space>::Multigrid(const Lattice<Space>& lattice) {
 
 template <class Space>
 bool Multigrid<Space>::shared(const Level& level) const {
-  return level.cell_count >= cells_worth_sharing;
+  return level.cell_count >= cells_worth_a_barrier;
 }
 
 template <class Space>

@@ -54,6 +54,7 @@ void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t
   const auto tiles = tiles_of(lattice);
   const int parts = std::clamp(many_rows / (tiles[1] * tiles[2]), 1, (tiles[0] + 1) / 2);
   for (auto& list : tiling.by_colour) list.clear();
+  tiling.in_order.clear();
   std::array<int, 3> last_range{-1, -1, -1};
   for (std::size_t first = 0, last = 0; first < home.size(); first = last) {
     const int tile = home[first] / in_tile;
@@ -61,8 +62,10 @@ void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t
     const std::array<int, 3> range{tile % tiles[0] * parts / tiles[0], tile / tiles[0] % tiles[1],
                                    tile / tiles[0] / tiles[1]};
     auto& of_colour = tiling.by_colour[range[0] % 2 + 2 * (range[1] % 2) + 4 * (range[2] % 2)];
-    if (range != last_range) of_colour.push_back({static_cast<std::uint32_t>(first), 0});
-    of_colour.back().count += static_cast<std::uint32_t>(last - first);
+    for (auto* list : {&of_colour, &tiling.in_order}) {
+      if (range != last_range) list->push_back({static_cast<std::uint32_t>(first), 0});
+      list->back().count += static_cast<std::uint32_t>(last - first);
+    }
     last_range = range;
   }
 }

@@ -25,6 +25,7 @@ struct Tiling {
   static constexpr int in_tile = width * width * (Space::axes == 3 ? width : 1);  ///< cells
   static constexpr int colours = 1 << Space::axes;
   std::array<std::vector<TileRange>, colours> by_colour;
+  std::vector<TileRange> in_order;  ///< all of them, as their points lie in memory
 };
 
 /// Drift since the last sort, in cells, beyond which points must be sorted again.

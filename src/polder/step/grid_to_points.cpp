@@ -17,17 +17,16 @@ namespace {
 constexpr double porosity_relaxation = 0.02;  // per step, of a fluid point's porosity towards the grid's
 constexpr double porosity_mixing = 48;        // of a group's porosities, per unit of plastic shear strain
 
-/// Runs body(tile) over all ranges of tiles and gathers the motion they report.
+/// Runs body(tile) over all ranges of tiles, which write to their own points only, and gathers the motion they report.
 template <class Space, class Body>
 Motion over_tiles(const Tiling<Space>& tiling, Team& team, Body&& body) {
   Motion motion;
   std::mutex mutex;  // taken once a range; a maximum does not depend on the order
-  for (const auto& tiles : tiling.by_colour)
-    team.each(static_cast<std::ptrdiff_t>(tiles.size()), [&](std::ptrdiff_t t) {
-      const Motion of_tile = body(tiles[t]);
-      const std::lock_guard lock(mutex);
-      motion.take(of_tile);
-    });
+  team.each(static_cast<std::ptrdiff_t>(tiling.in_order.size()), [&](std::ptrdiff_t t) {
+    const Motion of_tile = body(tiling.in_order[t]);
+    const std::lock_guard lock(mutex);
+    motion.take(of_tile);
+  });
   return motion;
 }
 
