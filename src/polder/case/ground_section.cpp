@@ -160,7 +160,7 @@ void check_room_above(const Sections& sections, const Model& model, Diagnostics&
   double highest = 0;
   for (const SoilBody& soil : model.soils)
     if (!soil.region.polygon.empty()) highest = std::max(highest, bounds(soil.region.polygon).high[1]);
-  if (model.size[up] - highest > needed * (1 - 1e-9)) return;
+  if (needed > model.size[up] || model.size[up] - highest > needed * (1 - 1e-9)) return;
   warn(diagnostics, sections.loads.front().place_of("span"), sections.loads.front().path_of("span"),
        fmt::format(
            "the ground reaches {:.6g} m, so near the model's top at {:.6g} m that the top bears a part of the load",
