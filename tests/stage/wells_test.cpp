@@ -55,6 +55,17 @@ at = [[2.1, 0.5]]
                      cell, well);
 }
 
+const std::string gravel = R"([[material]]
+name = "gravel"
+law = "linear-elastic"
+young_modulus = "1 MPa"
+fixed = true
+grain_density = "2660 kg/m3"
+porosity = 0.4
+permeability = "5e-2 m/s"
+drag = "darcy"
+)";
+
 template <class Space>
 double total(const Simulation<Space>& run) {
   double sum = 0;
@@ -174,16 +185,7 @@ TEST(Drain, LowersTheWaterTableToItsOwn) {
 [model]
 size = [1, 0.8]
 cell = 0.05
-[[material]]
-name = "gravel"
-law = "linear-elastic"
-young_modulus = "1 MPa"
-fixed = true
-grain_density = "2660 kg/m3"
-porosity = 0.4
-permeability = "5e-2 m/s"
-drag = "darcy"
-[[soil]]
+)" + gravel + R"([[soil]]
 material = "gravel"
 box = [[0, 0], [1, 0.8]]
 [initial]
@@ -234,16 +236,7 @@ TEST(Rain, ThatIsNegativeDriesAPondAndLeavesWaterUnderTheGround) {
 [model]
 size = [1, 0.6]
 cell = 0.05
-[[material]]
-name = "gravel"
-law = "linear-elastic"
-young_modulus = "1 MPa"
-fixed = true
-grain_density = "2660 kg/m3"
-porosity = 0.4
-permeability = "5e-2 m/s"
-drag = "darcy"
-[[soil]]
+)" + gravel + R"([[soil]]
 material = "gravel"
 box = [[0, 0], [1, 0.3]]
 [[rain]]
@@ -282,16 +275,7 @@ TEST(Rain, SeepsIntoDryGravel) {
 [model]
 size = [0.5, 0.6]
 cell = 0.05
-[[material]]
-name = "gravel"
-law = "linear-elastic"
-young_modulus = "1 MPa"
-fixed = true
-grain_density = "2660 kg/m3"
-porosity = 0.4
-permeability = "5e-2 m/s"
-drag = "darcy"
-[[soil]]
+)" + gravel + R"([[soil]]
 material = "gravel"
 box = [[0, 0], [0.5, 0.4]]
 [[rain]]

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "polder/boundary/in_stage.hpp"
 #include "polder/case/model.hpp"
 #include "polder/case/wall_line.hpp"
 #include "polder/grid/bodies.hpp"
@@ -24,10 +25,7 @@ inline bool stands_at(const WallInput& wall, double time) { return wall.until - 
 /// Which walls stand in stage number `stage` at time `time` (s; below 0 in initial stages).
 inline std::vector<bool> standing(const Model& model, std::size_t stage, double time) {
   std::vector<bool> stands;
-  for (const WallInput& wall : model.walls)
-    stands.push_back(stands_at(wall, time) &&
-                     (wall.from_stage < 0 || stage >= static_cast<std::size_t>(wall.from_stage)) &&
-                     (wall.until_stage < 0 || stage < static_cast<std::size_t>(wall.until_stage)));
+  for (const WallInput& wall : model.walls) stands.push_back(stands_at(wall, time) && in_stage(wall, stage));
   return stands;
 }
 

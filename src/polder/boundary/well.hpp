@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "polder/boundary/in_stage.hpp"
 #include "polder/case/model.hpp"
 #include "polder/grid/lattice.hpp"
 
@@ -53,9 +54,7 @@ template <class Space>
 std::vector<WellCells> make_wells(const Model& model, const Lattice<Space>& lattice, std::size_t stage) {
   std::vector<WellCells> wells;
   for (const Well& well : model.wells)
-    if ((well.from_stage < 0 || stage >= static_cast<std::size_t>(well.from_stage)) &&
-        (well.until_stage < 0 || stage < static_cast<std::size_t>(well.until_stage)))
-      wells.push_back(well_cells(well, lattice));
+    if (in_stage(well, stage)) wells.push_back(well_cells(well, lattice));
   return wells;
 }
 
