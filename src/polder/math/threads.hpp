@@ -2,8 +2,9 @@
 // A small team of threads for loops that take microseconds.
 //
 // Work is cut by index, never by who comes first, wherever the order of additions could show in a result; so every
-// result is the same for any number of threads. A waiting thread spins for some microseconds, then sleeps: quick when
-// the machine is ours, polite when it is not. Built on the standard library alone, so that thread sanitizers see it.
+// result is the same for any number of threads. A waiting thread spins for a tenth of a millisecond, then sleeps: quick
+// when the machine is ours, polite when it is not. Built on the standard library alone, so that thread sanitizers see
+// it.
 #include <algorithm>
 #include <atomic>
 #include <cstddef>

@@ -46,13 +46,14 @@ void sort_points(const Lattice<Space>& lattice, Points& points, Tiling<Space>& t
 }
 
 // Tiles that follow one another along x are taken together, as one range of points: a whole row of them where there are
-// many rows, a part of one where there are few. So the points of a range lie one after the other in memory, and ranges
-// of a colour, two rows or parts of a row from each other, still do not write to the same faces.
+// many rows, a part of one where there are few, so that threads find enough of them in a colour to end together. So the
+// points of a range lie one after the other in memory, and ranges of a colour, two rows or parts of a row from each
+// other, still do not write to the same faces.
 template <class Space>
 void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& home, Tiling<Space>& tiling) {
-  constexpr int many_rows = 32, in_tile = Tiling<Space>::in_tile;
+  constexpr int many_parts = 64, in_tile = Tiling<Space>::in_tile;
   const auto tiles = tiles_of(lattice);
-  const int parts = std::clamp(many_rows / (tiles[1] * tiles[2]), 1, (tiles[0] + 1) / 2);
+  const int parts = std::clamp(many_parts / (tiles[1] * tiles[2]), 1, (tiles[0] + 1) / 2);
   for (auto& list : tiling.by_colour) list.clear();
   tiling.in_order.clear();
   std::array<int, 3> last_range{-1, -1, -1};

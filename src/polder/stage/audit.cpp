@@ -98,29 +98,27 @@ void Audit<Space>::take(const Stepper<Space>& state, double dt) {
   for (const Exchange& exchange : state.exchanged) book(state, exchange);
 
   std::size_t wet = 0, over = 0, inside = 0, under = 0;
-  const std::ptrdiff_t rows = lattice.row_count();
-  for (std::ptrdiff_t row = 0; row < rows; ++row) {
-    const int j = static_cast<int>(row % lattice.cells[1]), k = static_cast<int>(row / lattice.cells[1]);
-    for (int i = 0; i < lattice.cells[0]; ++i) {
-      const std::ptrdiff_t cell = lattice.index(i, j, k);
-      if (!grid.wet[cell]) continue;
-      ++wet;
-      over += grid.fill[cell] > 1.05;
-      const int at[3] = {i, j, k};
-      bool interior = true;
-      for (int a = 0; a < Space::axes; ++a) {
-        const std::ptrdiff_t s = lattice.stride[a];
-        if (state.setup.water_box.periodic(a)) {
-          interior = interior && grid.wet[cell - s] && grid.wet[cell + s];
-          continue;
-        }
-        interior = interior && (at[a] == 0 || state.setup.shut(a, cell) || grid.wet[cell - s]) &&
-                   (at[a] == lattice.cells[a] - 1 || state.setup.shut(a, cell + s) || grid.wet[cell + s]);
+  const auto count_cell = [&](std::ptrdiff_t cell, const std::array<int, 3>& at) {
+    if (!grid.wet[cell]) return;
+    ++wet;
+    over += grid.fill[cell] > 1.05;
+    bool interior = true;
+    for (int a = 0; a < Space::axes; ++a) {
+      const std::ptrdiff_t s = lattice.stride[a];
+      if (state.setup.water_box.periodic(a)) {
+        interior = interior && grid.wet[cell - s] && grid.wet[cell + s];
+        continue;
       }
-      inside += interior;
-      under += interior && grid.fill[cell] < 0.95;
+      interior = interior && (at[a] == 0 || state.setup.shut(a, cell) || grid.wet[cell - s]) &&
+                 (at[a] == lattice.cells[a] - 1 || state.setup.shut(a, cell + s) || grid.wet[cell + s]);
     }
-  }
+    inside += interior;
+    under += interior && grid.fill[cell] < 0.95;
+  };
+  visit_cell_rows(lattice, grid.rows, 0, lattice.row_count(),
+                  [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+                    for (int i = 0; i < count; ++i) count_cell(first + i, {place[0] + i, place[1], place[2]});
+                  });
   overfilled_now = wet > 0 ? static_cast<double>(over) / static_cast<double>(wet) : 0;
   underfilled_now = inside > 0 ? static_cast<double>(under) / static_cast<double>(inside) : 0;
   overfilled_most = std::max(overfilled_most, overfilled_now);

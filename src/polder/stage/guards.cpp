@@ -91,9 +91,8 @@ void Guards<Space>::before_step(const Stepper<Space>& state, double time) const 
 }
 
 template <class Space>
-void Guards<Space>::take(const Stepper<Space>& state, const Audit<Space>& audit, const StepReport& report, double time,
-                         bool event) {
-  const std::string unsound = unsound_point(state);
+void Guards<Space>::take(const Stepper<Space>& state, const Audit<Space>& audit, const StepReport& report,
+                         const std::string& unsound, double time, bool event) {
   if (!unsound.empty()) throw RunFailure(fmt::format("{}; t = {:.6g} s (step {})", unsound, time, state.step));
   check_solve(state, report, time);
   if (event) add_work(state, time, report.dt);

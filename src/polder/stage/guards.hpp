@@ -42,8 +42,10 @@ class Guards {
   /// Before a step, with the state as the last one (or a checkpoint) left it. Throws RunFailure.
   void before_step(const Stepper<Space>& state, double time) const;
 
-  /// After a step. `event`: gravity is not being raised, so that energy can be compared. Throws RunFailure.
-  void take(const Stepper<Space>& state, const Audit<Space>& audit, const StepReport& report, double time, bool event);
+  /// After a step. `unsound`: what unsound_point() found. `event`: gravity is not being raised, so that energy can be
+  /// compared. Throws RunFailure.
+  void take(const Stepper<Space>& state, const Audit<Space>& audit, const StepReport& report,
+            const std::string& unsound, double time, bool event);
 
   /// Sentences for the user.
   std::vector<std::string> warnings() const;

@@ -111,10 +111,16 @@ StepReport Simulation<Space>::advance() {
   const StepReport report = stepper_.advance(control, dt);
   time_in_stage_ += dt;
   time_ += dt;
-  audit_.take(stepper_, dt);
+  std::string unsound;  // both read everything there is, and need not wait for one another
+  stepper_.team.each(2, [&](std::ptrdiff_t i) {
+    if (i == 0)
+      audit_.take(stepper_, dt);
+    else
+      unsound = unsound_point(stepper_);
+  });
   audit_.pressure_iterations += static_cast<std::uint64_t>(report.pressure.iterations);
   audit_.volume_iterations += static_cast<std::uint64_t>(report.volume.iterations);
-  guards_.take(stepper_, audit_, report, time_,
+  guards_.take(stepper_, audit_, report, unsound, time_,
                !stage.initial && stage.ramp <= 0 && !stepper_.setup.driven() && !body_force);
   if (stage.until_rest && time_in_stage_ >= stage.ramp) {
     const Unrest now = unrest(stepper_, dt);

@@ -25,36 +25,49 @@ void share_rows(const ActiveRows<Space>& rows, Team& team, Body&& body) {
     team.run([&](int rank) { body(rows.bounds[rank], rows.bounds[rank + 1]); });
 }
 
-/// body(index of the first face, number of faces, place of the first one) for every active row of faces of component c,
-/// walls included. A place counts cells from the lattice's corner.
+/// body(index of the first face, number of faces, place of the first one) for the active rows from `begin` to before
+/// `end` of faces of component c, walls included. A place counts cells from the lattice's corner.
 template <class Space, class Body>
-void over_face_rows(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, int c, Team& team, Body&& body) {
-  share_rows(rows, team, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-    for (std::ptrdiff_t row = begin; row < end; ++row) {
-      const RowSpan span = rows.spans[row];
-      if (span.count() == 0) continue;
-      const int j = static_cast<int>(row % lattice.cells[1]), k = static_cast<int>(row / lattice.cells[1]);
-      const auto visit = [&](int y, int z) {
-        body(lattice.index(span.begin, y, z), span.count() + (c == 0), std::array<int, 3>{span.begin, y, z});
-      };
-      visit(j, k);  // and with the last row of cells, the faces beyond it
-      if (c == 1 && j == lattice.cells[1] - 1) visit(j + 1, k);
-      if (Space::axes == 3 && c == 2 && k == lattice.cells[2] - 1) visit(j, k + 1);
-    }
-  });
+void visit_face_rows(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, int c, std::ptrdiff_t begin,
+                     std::ptrdiff_t end, Body&& body) {
+  for (std::ptrdiff_t row = begin; row < end; ++row) {
+    const RowSpan span = rows.spans[row];
+    if (span.count() == 0) continue;
+    const int j = static_cast<int>(row % lattice.cells[1]), k = static_cast<int>(row / lattice.cells[1]);
+    const auto visit = [&](int y, int z) {
+      body(lattice.index(span.begin, y, z), span.count() + (c == 0), std::array<int, 3>{span.begin, y, z});
+    };
+    visit(j, k);  // and with the last row of cells, the faces beyond it
+    if (c == 1 && j == lattice.cells[1] - 1) visit(j + 1, k);
+    if (Space::axes == 3 && c == 2 && k == lattice.cells[2] - 1) visit(j, k + 1);
+  }
 }
 
-/// body(index of the first cell, number of cells, place of the first one) for every active row of cells.
+/// body(index of the first cell, number of cells, place of the first one) for the active rows from `begin` to before
+/// `end`.
+template <class Space, class Body>
+void visit_cell_rows(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, std::ptrdiff_t begin,
+                     std::ptrdiff_t end, Body&& body) {
+  for (std::ptrdiff_t row = begin; row < end; ++row) {
+    const RowSpan span = rows.spans[row];
+    if (span.count() == 0) continue;
+    const int j = static_cast<int>(row % lattice.cells[1]), k = static_cast<int>(row / lattice.cells[1]);
+    body(lattice.index(span.begin, j, k), span.count(), std::array<int, 3>{span.begin, j, k});
+  }
+}
+
+/// visit_face_rows() over all of them, shared out.
+template <class Space, class Body>
+void over_face_rows(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, int c, Team& team, Body&& body) {
+  share_rows(rows, team,
+             [&](std::ptrdiff_t begin, std::ptrdiff_t end) { visit_face_rows(lattice, rows, c, begin, end, body); });
+}
+
+/// visit_cell_rows() over all of them, shared out.
 template <class Space, class Body>
 void over_cell_rows(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, Team& team, Body&& body) {
-  share_rows(rows, team, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
-    for (std::ptrdiff_t row = begin; row < end; ++row) {
-      const RowSpan span = rows.spans[row];
-      if (span.count() == 0) continue;
-      const int j = static_cast<int>(row % lattice.cells[1]), k = static_cast<int>(row / lattice.cells[1]);
-      body(lattice.index(span.begin, j, k), span.count(), std::array<int, 3>{span.begin, j, k});
-    }
-  });
+  share_rows(rows, team,
+             [&](std::ptrdiff_t begin, std::ptrdiff_t end) { visit_cell_rows(lattice, rows, begin, end, body); });
 }
 
 }  // namespace polder

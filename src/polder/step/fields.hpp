@@ -8,6 +8,9 @@
 
 namespace polder {
 
+/// Where a field is known after one layer of extrapolation, and after two.
+using Layers = std::array<AlignedVector<std::uint8_t>, 2>;
+
 template <class Space>
 struct GridFields {
   explicit GridFields(const Lattice<Space>& lattice)
@@ -40,7 +43,8 @@ struct GridFields {
         potential(lattice.make_array()),
         owed(lattice.make_array()),
         wet(static_cast<std::size_t>(lattice.size), 0),
-        layer{wet, wet},
+        layers{wet, wet},
+        shift_layers{wet, wet},
         soil_known(wet) {
     for (auto& v : reached) v = wet;
     for (auto& n : porosity) std::fill(n.begin(), n.end(), 1.0);
@@ -89,7 +93,7 @@ struct GridFields {
   std::array<Array, 2> far_impedance;  ///< Pa s/m against motion across the side and along it; likewise
   std::uint64_t far_is_known = 0;      ///< they have been taken
   AlignedVector<std::uint8_t> wet;
-  std::array<AlignedVector<std::uint8_t>, 2> layer;  ///< scratch of extrapolations
+  Layers layers, shift_layers;  ///< scratch of extrapolations, and of the shift's
   AlignedVector<std::uint8_t> soil_known;
 };
 

@@ -49,16 +49,20 @@ void press_on(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::siz
   });
 }
 
-/// Clears face fields where points may write.
-template <class Space>
-void clear_faces(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, const PhaseBox& box,
-                 std::initializer_list<FaceField<Space>*> fields, Team& team) {
-  for (int c = 0; c < Space::axes; ++c) {
-    over_face_rows(lattice, rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {
-      for (auto* field : fields) std::fill_n((*field)[c].begin() + first, count, 0.0);
-    });
+/// Clears face fields where points may write, and what body(first cell, count) clears of a row of cells.
+template <class Space, class Body>
+void clear(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, const PhaseBox& box,
+           std::initializer_list<FaceField<Space>*> fields, Team& team, Body&& body) {
+  share_rows(rows, team, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    for (int c = 0; c < Space::axes; ++c)
+      visit_face_rows(lattice, rows, c, begin, end, [&](std::ptrdiff_t first, int count, const auto&) {
+        for (auto* field : fields) std::fill_n((*field)[c].begin() + first, count, 0.0);
+      });
+    visit_cell_rows(lattice, rows, begin, end,
+                    [&](std::ptrdiff_t first, int count, const auto&) { body(first, count); });
+  });
+  for (int c = 0; c < Space::axes; ++c)
     for (auto* field : fields) clear_beyond((*field)[c], c, box, lattice);
-  }
 }
 
 /// What a chunk of soil points brings to the cells.
@@ -176,8 +180,8 @@ void carried_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
                      GridFields<Space>& grid, Team& team) {
   const auto& lattice = setup.lattice;
   const double cell_volume = lattice.cell_volume();
-  clear_faces<Space>(lattice, grid.rows, setup.soil_box, {&grid.carried_mass}, team);
-  std::fill(grid.saturated_solid.begin(), grid.saturated_solid.end(), 0.0);
+  clear<Space>(lattice, grid.rows, setup.soil_box, {&grid.carried_mass}, team,
+               [&](std::ptrdiff_t first, int count) { std::fill_n(grid.saturated_solid.begin() + first, count, 0.0); });
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
@@ -207,13 +211,12 @@ template <class Space>
 void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling, double time,
                   GridFields<Space>& grid, Team& team) {
   const auto& lattice = setup.lattice;
-  clear_faces<Space>(lattice, grid.rows, setup.soil_box, {&grid.soil_mass, &grid.soil_velocity, &grid.soil_force},
-                     team);
-  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
-    std::fill_n(grid.soil_sums.begin() + 4 * first, 4 * count, 0.0);
-    for (auto* field : {&grid.linear_drag[1], &grid.quadratic_drag[1]})
-      if (setup.anisotropic) std::fill_n(field->begin() + first, count, 0.0);
-  });
+  clear<Space>(lattice, grid.rows, setup.soil_box, {&grid.soil_mass, &grid.soil_velocity, &grid.soil_force}, team,
+               [&](std::ptrdiff_t first, int count) {
+                 std::fill_n(grid.soil_sums.begin() + 4 * first, 4 * count, 0.0);
+                 for (auto* field : {&grid.linear_drag[1], &grid.quadratic_drag[1]})
+                   if (setup.anisotropic) std::fill_n(field->begin() + first, count, 0.0);
+               });
   const double cell_volume = lattice.cell_volume();
   const double loaded_area = lattice.face_area(Space::up) / std::pow(setup.points_per_axis, Space::axes - 1);
   const double loaded_width = lattice.spacing[0] / setup.points_per_axis;
@@ -289,10 +292,8 @@ template <class Space>
 void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& soil_tiling,
                    const WaterPoints<Space>& water, const Tiling<Space>& tiling, GridFields<Space>& grid, Team& team) {
   const auto& lattice = setup.lattice;
-  clear_faces<Space>(lattice, grid.rows, setup.water_box, {&grid.water_mass, &grid.water_velocity}, team);
-  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
-    std::fill_n(grid.water_volume.begin() + first, count, 0.0);
-  });
+  clear<Space>(lattice, grid.rows, setup.water_box, {&grid.water_mass, &grid.water_velocity}, team,
+               [&](std::ptrdiff_t first, int count) { std::fill_n(grid.water_volume.begin() + first, count, 0.0); });
   const double cell_volume = lattice.cell_volume(), density = setup.water.density;
   const bool stretched = setup.stretches_water();
   if (setup.single_point) carried_to_grid(setup, soil, soil_tiling, grid, team);

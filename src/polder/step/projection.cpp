@@ -70,7 +70,7 @@ void add_heads(const Setup<Space>& setup, const GridFields<Space>& grid, Distanc
 template <class Space>
 const AlignedVector<std::uint8_t>& spread(const Lattice<Space>& lattice, const ThinWalls<Space>& walls, int c,
                                           const AlignedVector<std::uint8_t>& known, int layers, Array& field,
-                                          GridFields<Space>& grid, Team& team) {
+                                          const GridFields<Space>& grid, Layers& scratch, Team& team) {
   double* v = field.data();
   // from a face to the one above it on axis a
   const auto linked = [&](int a, std::ptrdiff_t f) {
@@ -81,7 +81,7 @@ const AlignedVector<std::uint8_t>& spread(const Lattice<Space>& lattice, const T
   const AlignedVector<std::uint8_t>* reached = &known;
   for (int layer = 0; layer < layers; ++layer) {
     const std::uint8_t* before = reached->data();
-    std::uint8_t* after = grid.layer[layer].data();
+    std::uint8_t* after = scratch[layer].data();
     over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
       for (int i = 0; i < count; ++i) {
         const std::ptrdiff_t f = first + i;
@@ -111,7 +111,7 @@ const AlignedVector<std::uint8_t>& spread(const Lattice<Space>& lattice, const T
         after[f] = 1;
       }
     });
-    reached = &grid.layer[layer];
+    reached = &scratch[layer];
   }
   return *reached;
 }
@@ -127,7 +127,7 @@ void extrapolate_soil(const Setup<Space>& setup, GridFields<Space>& grid, Team& 
       for (std::ptrdiff_t f = first; f < first + count; ++f)
         known[f] = grid.soil_mass[c][f] > 0 && !setup.walls.blocked(c, f);
     });
-    spread(lattice, setup.walls, c, known, setup.bodies.any() ? 2 : 1, grid.soil_velocity[c], grid, team);
+    spread(lattice, setup.walls, c, known, setup.bodies.any() ? 2 : 1, grid.soil_velocity[c], grid, grid.layers, team);
   }
 }
 
@@ -198,8 +198,8 @@ SolveResult project(const Setup<Space>& setup, double dt, const std::vector<Well
 }
 
 template <class Space>
-void extrapolate_water(const Setup<Space>& setup, GridFields<Space>& grid, FaceField<Space>& field, bool keep_ballistic,
-                       Team& team) {
+void extrapolate_water(const Setup<Space>& setup, const GridFields<Space>& grid, FaceField<Space>& field,
+                       bool keep_ballistic, Layers& layers, Team& team) {
   const auto& lattice = setup.lattice;
   for (int c = 0; c < Space::axes; ++c) {
     double* v = field[c].data();
@@ -212,7 +212,7 @@ void extrapolate_water(const Setup<Space>& setup, GridFields<Space>& grid, FaceF
     const double at_wall[2] = {keep_ballistic ? setup.wall_velocity(c, 0) : 0,
                                keep_ballistic ? setup.wall_velocity(c, 1) : 0};
     const AlignedVector<std::uint8_t>& filled =
-        spread(lattice, setup.walls, c, grid.reached[c], 2, field[c], grid, team);
+        spread(lattice, setup.walls, c, grid.reached[c], 2, field[c], grid, layers, team);
     over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
       double* row = v + first;
       const std::uint8_t* known = filled.data() + first;
@@ -283,7 +283,7 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
       }
     });
   }
-  extrapolate_water(setup, grid, grid.shift, false, team);
+  extrapolate_water(setup, grid, grid.shift, false, grid.shift_layers, team);
   for (int c = 0; c < Space::axes; ++c) {
     over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {
       for (std::ptrdiff_t f = first; f < first + count; ++f)
@@ -303,8 +303,8 @@ template SolveResult correct_volume(const Setup<PlaneStrain>&, GridFields<PlaneS
 template SolveResult correct_volume(const Setup<Solid>&, GridFields<Solid>&, PressureSolver<Solid>&, Team&);
 template void extrapolate_soil(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&, Team&);
 template void extrapolate_soil(const Setup<Solid>&, GridFields<Solid>&, Team&);
-template void extrapolate_water(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&, FaceField<PlaneStrain>&, bool,
-                                Team&);
-template void extrapolate_water(const Setup<Solid>&, GridFields<Solid>&, FaceField<Solid>&, bool, Team&);
+template void extrapolate_water(const Setup<PlaneStrain>&, const GridFields<PlaneStrain>&, FaceField<PlaneStrain>&,
+                                bool, Layers&, Team&);
+template void extrapolate_water(const Setup<Solid>&, const GridFields<Solid>&, FaceField<Solid>&, bool, Layers&, Team&);
 
 }  // namespace polder

@@ -13,16 +13,18 @@ template <class Space>
 SolveResult project(const Setup<Space>& setup, double dt, const std::vector<WellFlow>& wells, GridFields<Space>& grid,
                     PressureSolver<Space>& solver, Team& team);
 
-/// Shift of water positions (grid.shift, m on the faces) that moves cells' fill towards one.
+/// Shift of water positions (grid.shift, m on the faces) that moves cells' fill towards one. Reads nothing that
+/// project() writes and writes nothing that it reads, so that both may run at the same time, each with a solver of its
+/// own.
 template <class Space>
 SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, PressureSolver<Space>& solver,
                            Team& team);
 
 /// Carries a face field of the water two layers past the faces that a wet cell reaches. Beyond, the field is kept where
-/// `keep_ballistic` and water has written to the face, else zero.
+/// `keep_ballistic` and water has written to the face, else zero. `layers` is scratch.
 template <class Space>
-void extrapolate_water(const Setup<Space>& setup, GridFields<Space>& grid, FaceField<Space>& field, bool keep_ballistic,
-                       Team& team);
+void extrapolate_water(const Setup<Space>& setup, const GridFields<Space>& grid, FaceField<Space>& field,
+                       bool keep_ballistic, Layers& layers, Team& team);
 
 /// Carries the soil's velocity one layer past the faces that soil has written to: water beside soil moves relative to
 /// it.

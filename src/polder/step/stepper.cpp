@@ -21,7 +21,8 @@ constexpr double point_cfl = 0.5;    // cells that a point may cross in a step
 constexpr double surface_cfl = 0.1;  // of √(h/g): free surfaces are advanced explicitly
 constexpr double viscous_cfl = 0.8;  // of the explicit limit of viscous stresses
 constexpr std::uint64_t resample_every = 10;
-constexpr std::size_t many_points = 100000;  // that do not fit the processor's caches
+constexpr std::ptrdiff_t cells_worth_a_team = 60000;  // of a system that two threads or more solve together
+constexpr std::size_t many_points = 100000;           // that do not fit the processor's caches
 
 /// Points that have passed an end of a periodic model come in at the other. Returns whether there are any.
 template <class Space, class Points>
@@ -46,6 +47,7 @@ class Stopwatch {
     total += std::chrono::duration<double>(now - last_).count();
     last_ = now;
   }
+  void skip() { last_ = std::chrono::steady_clock::now(); }
 
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
@@ -156,6 +158,30 @@ StepReport Stepper<Space>::advance_unsaturated(const StepControl& control, doubl
   return report;
 }
 
+/// The two solves of a step at the same time, each on one thread: the sweeps of small systems are too short to share.
+/// The wall time is booked on each by what it took.
+template <class Space>
+void Stepper<Space>::solve_beside(double dt, const std::vector<WellFlow>& wells, StepReport& report) {
+  if (!volume_solver_) volume_solver_.emplace(setup.lattice);
+  double pressure = 0, volume = 0, both = 0;
+  Stopwatch watch;
+  team.run([&](int rank) {
+    if (rank > 1) return;
+    Team alone(1);
+    Stopwatch own;
+    if (rank == 0) {
+      report.pressure = project(setup, dt, wells, grid, solver_, alone);
+      own.lap(pressure);
+    } else {
+      report.volume = correct_volume(setup, grid, *volume_solver_, alone);
+      own.lap(volume);
+    }
+  });
+  watch.lap(both);
+  times.pressure += both * pressure / (pressure + volume);
+  times.volume += both * volume / (pressure + volume);
+}
+
 template <class Space>
 StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   if (unsaturated) return advance_unsaturated(control, dt);
@@ -182,12 +208,18 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
 
   std::vector<WellFlow> wells;
   if (!setup.wells.empty()) wells = well_flows(setup, control.time, grid);
-  report.pressure = project(setup, dt, wells, grid, solver_, team);
-  if (far_field) close_far_field(setup, grid);
-  watch.lap(times.pressure);
+  const bool beside = team.size() > 1 && !far_field && grid.rows.cell_count * (team.size() - 1) < cells_worth_a_team;
+  if (beside) {
+    solve_beside(dt, wells, report);
+    watch.skip();
+  } else {
+    report.pressure = project(setup, dt, wells, grid, solver_, team);
+    if (far_field) close_far_field(setup, grid);
+    watch.lap(times.pressure);
+  }
 
   if (control.local_damping > 0) damp_locally(setup, control.local_damping, grid, team);
-  extrapolate_water(setup, grid, grid.water_velocity, true, team);
+  extrapolate_water(setup, grid, grid.water_velocity, true, grid.layers, team);
   extrapolate_soil(setup, grid, team);
   if (setup.bodies.any()) meet_bodies(setup, grid);
   if (!setup.friction.empty()) rub_along_walls(setup, dt, soil, grid);
@@ -201,7 +233,7 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   for (int c = 0; c < Space::axes; ++c) reflect(grid.discharge[c], c, true, setup.water_box, setup.lattice);
   watch.lap(times.faces);
 
-  report.volume = correct_volume(setup, grid, solver_, team);
+  if (!beside) report.volume = correct_volume(setup, grid, solver_, team);
   watch.lap(times.volume);
 
   const Motion of_water = grid_to_water(setup, dt, grid, water_tiling_, water, team);

@@ -1,6 +1,7 @@
 #pragma once
 // One time step of the double-point formulation, and the state it works on. docs/theory.md has the equations.
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "polder/points/tiles.hpp"
@@ -84,10 +85,12 @@ class Stepper {
   void sort_water();
   void prepare();  // sorts what has drifted and finds the active rows
   void resample();
+  void solve_beside(double dt, const std::vector<WellFlow>& wells, StepReport& report);
   StepReport advance_unsaturated(const StepControl& control, double dt);
 
   Tiling<Space> soil_tiling_, water_tiling_;
   PressureSolver<Space> solver_;
+  std::optional<PressureSolver<Space>> volume_solver_;  // where both systems are solved at the same time
   std::uint64_t unsorted_ = 1;
   bool rows_stale_ = true;  // points were sorted since the active rows were found
 };
