@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# The tests with AddressSanitizer and UndefinedBehaviorSanitizer: memory that is not ours, overflows, bad shifts.
+# The tests as the second compiler builds them, its warnings being errors, with AddressSanitizer and
+# UndefinedBehaviorSanitizer: memory that is not ours, overflows, bad shifts.
 # Minutes: 40
+# Packages: all
 set -u
 cmake --preset asan >/dev/null && cmake --build --preset asan >&2 || exit 1
 export UBSAN_OPTIONS=print_stacktrace=1

@@ -1,4 +1,5 @@
-// Experiments on water: a dam that breaks onto a porous block, and a column that collapses on a dry bed.
+// Experiments: a dam that breaks onto a porous block, a column of water that collapses on a dry bed, and the ground
+// beside a sheet pile that heaves.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -183,6 +184,52 @@ Experiment water_column(const Model& model) {
       for (double& t : time) t -= best;
       chart.curves.push_back({name, time, place, true});
     }
+    result.figure = chart;
+  };
+  return experiment;
+}
+
+Experiment heave(const Model& model) {
+  struct Uplift {
+    std::vector<double> head, height;  // difference of the levels; mean uplift of the prism, m
+  };
+  const auto uplift = std::make_shared<Uplift>();
+  const auto& pile = model.walls.at(0).line;
+  const double toe = std::min(pile[0][1], pile[1][1]);
+  const double wall = pile[0][0], ground = bounds(model.soils.at(0).region.polygon).high[1];
+  const double width = 0.5 * (ground - toe);  // of Terzaghi's prism
+  std::vector<Table> levels;                  // outside, inside
+  for (const Boundary& boundary : model.boundaries)
+    if (boundary.water == WaterCondition::reservoir) levels.push_back(boundary.head);
+  Experiment experiment;
+  experiment.watch = [=](const Simulation<PlaneStrain>& run) {
+    const double head = levels[0](run.time()) - levels[1](run.time());
+    if (!uplift->head.empty() && head < uplift->head.back() + 0.01) return;
+    const auto& soil = run.state().soil;
+    double sum = 0, mass = 0;
+    for (std::size_t p = 0; p < soil.size(); ++p) {
+      const double x = soil.reference[0][p], y = soil.reference[1][p];
+      if (x < wall || x > wall + width || y < toe) continue;
+      sum += soil.mass[p] * (soil.position[1][p] - y);
+      mass += soil.mass[p];
+    }
+    uplift->head.push_back(head);
+    uplift->height.push_back(sum / mass);
+  };
+  experiment.finish = [uplift](Result& result) {
+    // an elastic branch and one on which the prism floats, each through two points; heave begins where they meet
+    const auto at = [&](double head) { return interpolate(uplift->head, uplift->height, head); };
+    const double before = (at(5.2) - at(5.0)) / 0.2, after = (at(7.0) - at(6.8)) / 0.2;
+    const double onset = (at(6.8) - after * 6.8 - at(5.2) + before * 5.2) / (before - after);
+    constexpr double terzaghi = 5.6, exit_gradient = 6.3, margin = 0.08;
+    constexpr double least = terzaghi * (1 - margin), most = exit_gradient * (1 + margin);
+    const bool within = after > 10 * before && onset >= least && onset <= most;
+    result.rows.push_back({"difference of head at the onset of heave",
+                           "where the two straight branches of the prism's uplift meet", "m", 0.5 * (least + most),
+                           onset, 0.5 * (most - least), within ? Verdict::within : Verdict::outside, "",
+                           "Terzaghi's prism 5.6 m, critical exit gradient 6.3 m, each ± 8 %"});
+    Chart chart{"Uplift of the prism beside the wall", "difference of head", "uplift", "m", "m", {}, {}};
+    chart.curves.push_back(thinned({"computed", uplift->head, uplift->height, false}, 400));
     result.figure = chart;
   };
   return experiment;

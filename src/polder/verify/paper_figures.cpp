@@ -5,8 +5,8 @@ namespace {
 
 constexpr PaperFigure figures[] = {
     {"P0", "1D consolidation", "pressure against Terzaghi", "`polder verify terzaghi`"},
-    {"P0", "free water", "Poiseuille flow and its start-up", "missing: no verification problem `poiseuille` yet"},
-    {"P0", "heave", "onset at a sheet pile", "excavation-onset"},
+    {"P0", "free water", "Poiseuille flow and its start-up", "`polder verify poiseuille couette`"},
+    {"P0", "heave", "onset at a sheet pile", "excavation-onset, in the table above"},
     {"P0", "heave", "failure, inflow, sedimentation", "excavation-heave"},
     {"P1", "1, 2", "geometry and grid", "dike-seepage (the drawing of its report)"},
     {"P1", "3", "porosity at 6, 8, 14, 23 s", "dike-paper (the paper's rule), dike-seepage (ours)"},

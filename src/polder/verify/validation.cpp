@@ -17,8 +17,9 @@ namespace polder::validate {
 namespace {
 
 constexpr std::string_view of_liu = "Liu et al. (1999), crushed rock", of_martin = "Martin and Moyce (1952)",
-                           of_columns = "Lube et al. (2005), Lajeunesse et al. (2005)", of_p1 = "study P1",
-                           of_p2 = "study P2", of_p3 = "study P3", of_p4 = "study P4";
+                           of_columns = "Lube et al. (2005), Lajeunesse et al. (2005)",
+                           of_heave = "Terzaghi's prism, exit gradient", of_p1 = "study P1", of_p2 = "study P2",
+                           of_p3 = "study P3", of_p4 = "study P4";
 
 constexpr Validation list[] = {
     {"porous-block", of_liu, porous_block},
@@ -28,6 +29,7 @@ constexpr Validation list[] = {
     {"granular-column", of_columns, nullptr},
     {"granular-column-2", of_columns, nullptr},
     {"granular-column-4", of_columns, nullptr},
+    {"excavation-onset", of_heave, heave},
     {"dike-seepage", of_p1, nullptr},
     {"pipe-leak-5kpa", of_p2, nullptr},
     {"pipe-leak-10kpa", of_p2, nullptr},

@@ -52,6 +52,7 @@ const Validation* find_validation(std::string_view name);
 
 Experiment porous_block(const Model& model);
 Experiment water_column(const Model& model);
+Experiment heave(const Model& model);
 
 /// The folder of the measurements: the environment variable POLDER_SHARED, or a folder `shared` beside the checkout,
 /// each with `data` in it. Nothing where there is none.
