@@ -43,6 +43,10 @@ box = [["0 m", "0 m"], ["0.4 m", "0.6 m"]]
 [initial]
 water_table = [["0 m", "0.2 m"], ["1 m", "0.2 m"]]
 [[stage]]
+name = "rest"
+initial = true
+duration = "0.05 s"
+[[stage]]
 name = "event"
 duration = ")" << end << R"( s"
 [output]

@@ -147,8 +147,11 @@ class Run {
       history_ = std::make_unique<HistoryFile>(path, monitors_->columns(), output_.history_rows);
     else
       history_ = std::make_unique<HistoryFile>(path, monitors_->columns());
-    // a snapshot of the checkpoint's own instant may be later than the checkpoint by round-off only
-    if (options_.resume) series_ = resume_series(folder_.path(), simulation_->time() * (1 + 1e-12) + 1e-300);
+    if (!options_.resume) return;
+    // a snapshot of the checkpoint's own instant may be later than the checkpoint by round-off only; one of an initial
+    // stage knows of no snapshot, not even that of the event's first instant
+    const double known = again ? simulation_->time() * (1 + 1e-12) + 1e-300 : -1;
+    series_ = resume_series(folder_.path(), known);
   }
 
   void record_due() {
