@@ -126,8 +126,9 @@ struct AxisOverlap {
 template <class Space>
 struct BoxOverlap {
   std::ptrdiff_t base = 0;
-  double share[3][2];
+  double share[3][2] = {};
 
+  BoxOverlap() = default;
   BoxOverlap(const Lattice<Space>& lattice, const std::array<double, 3>& position, double half,
              const std::array<int, 3>& low, const std::array<int, 3>& high)
       : BoxOverlap(lattice, position, std::array{half, half, half}, low, high) {}

@@ -158,6 +158,7 @@ void fill_pores(const Setup<Space>& setup, const GridFields<Space>& grid, PoreFi
         if (own == 0 && v == 0) continue;
         const PoreSpace& space = setup.pores[m];
         const WaterRatio ratio = water_ratio(space, p, setup.water.bulk_modulus);
+        pores.ratio[m][cell] = ratio.value;
         held += own * ratio.value;
         slope += own * ratio.slope;
         wet += v * saturation(space.retention, -grid.pressure[like]);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "polder/grid/lattice.hpp"
+#include "polder/step/chunk.hpp"
 #include "polder/step/setup.hpp"
 
 namespace polder {
@@ -15,11 +16,14 @@ enum class Leader : std::int8_t { itself, below, above, none };
 template <class Space>
 struct PoreFields {
   PoreFields(const Lattice<Space>& lattice, std::size_t materials)
-      : bulk(lattice.make_array()),
+      : sums(static_cast<std::size_t>(4 * lattice.size), 0.0),
+        bulk(lattice.make_array()),
         yielding(bulk),
         water(bulk),
         resistance{bulk, bulk},
         composition(materials, bulk),
+        ratio(materials, bulk),
+        ratio_before(materials, bulk),
         pores(bulk),
         weight(make_face_field(lattice)),
         saturation(bulk),
@@ -27,7 +31,6 @@ struct PoreFields {
         content(bulk),
         storage(bulk),
         content_before(bulk),
-        pressure_before(bulk),
         volume_change(bulk),
         points_change(bulk),
         correction(bulk),
@@ -44,18 +47,20 @@ struct PoreFields {
   }
 
   // in cells; volumes in m³, per metre in plane strain
+  Array sums;                        ///< the next three and the horizontal resistance side by side while points write
   Array bulk;                        ///< of the soil, by overlap of the points' boxes
   Array yielding;                    ///< the part of it that deforms
   Array water;                       ///< in its pores, as at no pressure
   std::array<Array, 2> resistance;   ///< μ/κ, Pa s/m², horizontal and vertical, mean over the cell
   std::vector<Array> composition;    ///< pore volume by material
+  std::vector<Array> ratio;          ///< water over pore volume, Θ/(n V), by material, where there is some of it
+  std::vector<Array> ratio_before;   ///< the same at the start of the step
   Array pores;                       ///< of all materials
   FaceField<Space> weight;           ///< by axis: volume over which the cell's pressure acts, and its strain is counted
   Array saturation;                  ///< S at the start of the step, mean over the pores
   Array relative;                    ///< k_r
   Array content, storage;            ///< Θ(p), m³, and dΘ/dp, m³/Pa
   Array content_before;              ///< Θ(p), m³, at the start of the step
-  Array pressure_before;             ///< Pa, at the start of the step
   Array volume_change;               ///< D, m³/s, by the faces' velocities
   Array points_change;               ///< the same by the points' own strains
   Array correction;                  ///< 1/s, of the points' rates of dilation
@@ -71,6 +76,7 @@ struct PoreFields {
   std::array<AlignedVector<std::int8_t>, Space::axes> leader;
 
   // of points, in their order
+  std::vector<BoxOverlap<Space>> box;                     ///< the cells that a point counts for, until it moves
   std::array<Array, Space::axes * Space::axes> gradient;  ///< 1/s
   Array dilation;                                         ///< 1/s
   Array pore_volume;                                      ///< m³, at the start of the step

@@ -278,7 +278,7 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   prepare_cells(setup, setup.gravity, grid, pores);
   fill_pores(setup, grid, pores, team);
   pores.content_before = pores.content;
-  pores.pressure_before = grid.pressure;
+  pores.ratio_before = pores.ratio;
   const bool standing_water = set_standing_water(setup, ground_, control.time, setup.gravity, pores);
   const double unbalanced = predict(setup, control, dt, standing_water, grid, team);
 
@@ -304,7 +304,7 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   pores_to_grid(setup, soil, tiling, pores, team);
   set_way(setup, dt, grid, team);
   settle_books(setup, dt, exits, control.hold_water, grid, team, exchanged);
-  move_points(setup, dt, grid, tiling, pores, soil, team);
+  move_points(setup, dt, tiling, pores, soil, team);
   show_water(setup, grid, team);
   judge(setup, dt, soil, team);
 

@@ -74,7 +74,7 @@ void scatter_component(const Lattice<Space>& lattice, const SoilPoints<Space>& p
                  [&](std::ptrdiff_t at, double wy, double oy, double dy, double wz, double oz, double dz) {
                    const std::ptrdiff_t node = base + at;
                    store4(mass_field + node, load4(mass_field + node) + (wy * wz) * mass_row);
-                   store4(held_field + node, load4(held_field + node) + (wy * wz) * held_row);
+                   if (held_field) store4(held_field + node, load4(held_field + node) + (wy * wz) * held_row);
                    Vec4 q = load4(momentum_field + node) + (wy * wz) * momentum_row + (oy * wz) * momentum_y;
                    Vec4 f = load4(force_field + node) + (wy * wz) * force_row + (dy * wz) * force_y;
                    if constexpr (axes == 3) {
@@ -123,15 +123,16 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
   const auto& lattice = setup.lattice;
   for (auto* fields : {&grid.soil_mass, &grid.soil_velocity, &grid.soil_force, &pores.weight, &pores.held_mass})
     for (auto& field : *fields) std::fill(field.begin(), field.end(), 0.0);
-  for (auto* field : {&pores.bulk, &pores.yielding, &pores.water, &pores.resistance[0], &pores.resistance[1]})
-    std::fill(field->begin(), field->end(), 0.0);
+  for (auto* field : {&pores.sums, &pores.resistance[1]}) std::fill(field->begin(), field->end(), 0.0);
 
+  pores.box.resize(soil.size());
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
     use_cell_differences(chunk, count);
     Load load;
     double yielding[chunk_size];
+    bool any_held = false;
     for (int l = 0; l < count; ++l) {
       const std::size_t p = first + static_cast<std::size_t>(l);
       const SoilMaterial& material = setup.materials[soil.material[p]];
@@ -142,22 +143,34 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
       load.inertia[l] =
           std::max(inertia.scaling * mass, volume * setup.pores[soil.material[p]].modulus * stretched * stretched);
       load.held[l] = material.fixed ? load.inertia[l] : 0;
+      any_held = any_held || material.fixed;
       yielding[l] = material.fixed ? 0 : volume;
-      const double a[2] = {volume * linear_resistance(material.drag[0], soil.porosity[p]),
-                           volume * linear_resistance(material.drag[1], soil.porosity[p])};
-      box_of(setup, soil, p).over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
-        pores.bulk[cell] += share * volume;
-        pores.yielding[cell] += share * yielding[l];
-        pores.water[cell] += share * soil.water[p];
-        pores.resistance[0][cell] += share * a[0];
-        pores.resistance[1][cell] += share * a[1];
+      const Vec4 content{volume, yielding[l], soil.water[p],
+                         volume * linear_resistance(material.drag[0], soil.porosity[p])};
+      double* sums = pores.sums.data();
+      pores.box[p] = box_of(setup, soil, p);
+      pores.box[p].over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
+        store4(sums + 4 * cell, load4(sums + 4 * cell) + share * content);
       });
+      if (!setup.anisotropic) continue;
+      const double upright = volume * linear_resistance(material.drag[1], soil.porosity[p]);
+      pores.box[p].over_cells(lattice,
+                              [&](std::ptrdiff_t cell, double share) { pores.resistance[1][cell] += share * upright; });
     }
     over_components<Space>([&]<int c>() {
-      scatter_component<c>(lattice, soil, load, first, count, chunk, grid, pores.held_mass[c].data());
+      double* held = any_held ? pores.held_mass[c].data() : nullptr;
+      scatter_component<c>(lattice, soil, load, first, count, chunk, grid, held);
       scatter_weight<c>(lattice, yielding, count, chunk, pores.weight[c].data());
     });
   });
+  for (std::ptrdiff_t cell = 0; cell < lattice.size; ++cell) {
+    const double* sums = pores.sums.data() + 4 * cell;
+    pores.bulk[cell] = sums[0];
+    pores.yielding[cell] = sums[1];
+    pores.water[cell] = sums[2];
+    pores.resistance[0][cell] = sums[3];
+  }
+  if (!setup.anisotropic) pores.resistance[1] = pores.resistance[0];
   for (int c = 0; c < Space::axes; ++c) {
     fold(grid.soil_mass[c], c, false, setup.soil_box, lattice);
     fold(pores.held_mass[c], c, false, setup.soil_box, lattice);
@@ -176,9 +189,7 @@ void pores_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       const double volume = soil.porosity[p] * bulk_volume(setup, soil, p);
       Array& field = pores.composition[soil.material[p]];
-      box_of(setup, soil, p).over_cells(setup.lattice, [&](std::ptrdiff_t cell, double share) {
-        field[cell] += share * volume;
-      });
+      pores.box[p].over_cells(setup.lattice, [&](std::ptrdiff_t cell, double share) { field[cell] += share * volume; });
     }
   });
   pores.pores = pores.composition.front();
@@ -242,9 +253,8 @@ void correct_dilation(const Setup<Space>& setup, const Tiling<Space>& tiling, co
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       if (!yields(p)) continue;
       const double change = bulk_volume(setup, soil, p) * pores.dilation[p];
-      box_of(setup, soil, p).over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
-        pores.points_change[cell] += share * change;
-      });
+      pores.box[p].over_cells(lattice,
+                              [&](std::ptrdiff_t cell, double share) { pores.points_change[cell] += share * change; });
     }
   });
   const double thin = 0.05 * lattice.cell_volume();
@@ -256,9 +266,8 @@ void correct_dilation(const Setup<Space>& setup, const Tiling<Space>& tiling, co
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       if (!yields(p)) continue;
       double add = 0;
-      box_of(setup, soil, p).over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
-        add += share * pores.correction[cell];
-      });
+      pores.box[p].over_cells(lattice,
+                              [&](std::ptrdiff_t cell, double share) { add += share * pores.correction[cell]; });
       pores.dilation[p] += add;
     }
   });
@@ -295,18 +304,16 @@ constexpr double uneven = 0.01;  // of the pores: so differently may the points 
 /// Gives the points what their cells gained, Δ(n V S(p)(1 + p/K)) + n V surplus. Where the points of a cell hold uneven
 /// shares of its water and it moves, they even out by the way that it goes.
 template <class Space>
-void change_water(const Setup<Space>& setup, const GridFields<Space>& grid, const Tiling<Space>& tiling,
-                  PoreFields<Space>& pores, SoilPoints<Space>& soil, Team& team) {
+void change_water(const Setup<Space>& setup, const Tiling<Space>& tiling, PoreFields<Space>& pores,
+                  SoilPoints<Space>& soil, Team& team) {
   // body(cell, share, water by its own history, water as the cell's mean has it)
   const auto over_shares = [&](std::size_t p, auto&& body) {
-    const PoreSpace& space = setup.pores[soil.material[p]];
-    const auto ratio = [&](double pressure) { return water_ratio(space, pressure, setup.water.bulk_modulus).value; };
+    const Array &ratio = pores.ratio[soil.material[p]], &ratio_before = pores.ratio_before[soil.material[p]];
     const double before = pores.pore_volume[p], now = soil.porosity[p] * bulk_volume(setup, soil, p);
-    box_of(setup, soil, p).over_cells(setup.lattice, [&](std::ptrdiff_t cell, double share) {
+    pores.box[p].over_cells(setup.lattice, [&](std::ptrdiff_t cell, double share) {
       if (share == 0) return;
-      const double filled = ratio(grid.pressure[cell]);
-      const double own =
-          soil.water[p] + now * (filled + pores.surplus[cell]) - before * ratio(pores.pressure_before[cell]);
+      const double filled = ratio[cell];
+      const double own = soil.water[p] + now * (filled + pores.surplus[cell]) - before * ratio_before[cell];
       body(cell, share, own, now * (filled + pores.deviation[cell]));
     });
   };
@@ -333,10 +340,10 @@ void change_water(const Setup<Space>& setup, const GridFields<Space>& grid, cons
 }  // namespace
 
 template <class Space>
-void move_points(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, const Tiling<Space>& tiling,
-                 PoreFields<Space>& pores, SoilPoints<Space>& soil, Team& team) {
+void move_points(const Setup<Space>& setup, double dt, const Tiling<Space>& tiling, PoreFields<Space>& pores,
+                 SoilPoints<Space>& soil, Team& team) {
   const auto& lattice = setup.lattice;
-  change_water(setup, grid, tiling, pores, soil, team);
+  change_water(setup, tiling, pores, soil, team);
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       if (setup.materials[soil.material[p]].fixed) continue;
@@ -356,8 +363,8 @@ void move_points(const Setup<Space>& setup, double dt, const GridFields<Space>& 
                                 SoilPoints<Space>&, PoreFields<Space>&, Team&);                                        \
   template void pores_to_grid(const Setup<Space>&, const SoilPoints<Space>&, const Tiling<Space>&, PoreFields<Space>&, \
                               Team&);                                                                                  \
-  template void move_points(const Setup<Space>&, double, const GridFields<Space>&, const Tiling<Space>&,               \
-                            PoreFields<Space>&, SoilPoints<Space>&, Team&);
+  template void move_points(const Setup<Space>&, double, const Tiling<Space>&, PoreFields<Space>&, SoilPoints<Space>&, \
+                            Team&);
 POLDER_UNSATURATED_TRANSFER(PlaneStrain)
 POLDER_UNSATURATED_TRANSFER(Solid)
 #undef POLDER_UNSATURATED_TRANSFER

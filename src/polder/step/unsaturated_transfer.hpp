@@ -41,7 +41,7 @@ void pores_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
 /// What the cells' water has changed by to the points, Δ(n V S(p)(1 + p/K)) + n V surplus, and the points to where they
 /// move. Changes, not the water itself: that would be mixed between cells at every step by the points that lie in two.
 template <class Space>
-void move_points(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, const Tiling<Space>& tiling,
-                 PoreFields<Space>& pores, SoilPoints<Space>& soil, Team& team);
+void move_points(const Setup<Space>& setup, double dt, const Tiling<Space>& tiling, PoreFields<Space>& pores,
+                 SoilPoints<Space>& soil, Team& team);
 
 }  // namespace polder
