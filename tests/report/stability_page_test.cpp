@@ -31,6 +31,24 @@ TEST(StabilityPage, ShowsFactorSurfaceSlicesAndReferenceAndFetchesNothing) {
   EXPECT_EQ(page.find("https://"), std::string::npos);
 }
 
+TEST(SlipDrawing, ShowsTheTensionCrackAndItsWaterWhereTheSurfaceBegins) {
+  const ReadResult read = read_case(std::string(POLDER_SOURCE_DIR) + "/cases/griffiths-lane-1/case.toml",
+                                    {"stability.crack_depth=2 m", "stability.crack_water=0.5"});
+  ASSERT_TRUE(read.ok());
+  const stability::Study study{read.model, read.stability, read.seepage};
+  const stability::AssessmentOptions options{{stability::find_stability_method("bishop")}, false, false, 0};
+  const stability::Assessment all = assess(study, options, {});
+  const Drawing drawing = draw_slip(all.sections[0].prepared, &*all.factors[0].outcome.search, "");
+  std::vector<double> upright;  // heights of upright lines thicker than those between slices
+  for (const Shape& shape : drawing.shapes)
+    if (const auto* path = std::get_if<Path>(&shape); path && path->points.size() == 2 && path->stroke &&
+                                                      path->stroke->width > 1.5 &&
+                                                      path->points[0][0] == path->points[1][0])
+      upright.push_back(std::abs(path->points[0][1] - path->points[1][1]));
+  ASSERT_EQ(upright.size(), 2u);  // the water, 1 m, and the crack, 2 m
+  EXPECT_NEAR(upright[0] / upright[1], 0.5, 1e-6);
+}
+
 TEST(FieldDrawing, ContourLinesLieWhereTheFieldHasTheirValue) {
   MeshRequest request;
   request.polygons = {{{0, 0}, {4, 0}, {4, 1}, {0, 1}}};

@@ -1,14 +1,17 @@
 #include "polder/seepage/mesh.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cmath>
+#include <fstream>
 #include <random>
 #include <sstream>
 
 #include "polder/seepage/delaunay.hpp"
-#include "polder/seepage/mesher.hpp"
+#include "polder/seepage/mesh_file.hpp"
 #include "polder/seepage/msh_reader.hpp"
 
 namespace {
@@ -189,6 +192,65 @@ TEST(MshReader, RefusesNodesBeyondAnySection) {
   const std::string said =
       refusal_of_msh("2.2", "$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 1 6e66 0\n$EndNodes\n$Elements\n1\n1 2 2 3 3 1 2 3\n");
   EXPECT_NE(said.find("no section does"), std::string::npos) << said;
+}
+
+/// The mesh as Gmsh writes it (2.2), three-node triangles.
+std::string gmsh_text(const Mesh& mesh) {
+  std::string text = fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n", mesh.nodes.size());
+  for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+    text += fmt::format("{} {:.16g} {:.16g} 0\n", i + 1, mesh.nodes[i][0], mesh.nodes[i][1]);
+  text += fmt::format("$EndNodes\n$Elements\n{}\n", mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    text += fmt::format("{} 2 2 9 1 {} {} {}\n", t + 1, mesh.triangles[t][0] + 1, mesh.triangles[t][1] + 1,
+                        mesh.triangles[t][2] + 1);
+  return text + "$EndElements\n";
+}
+
+std::string written(const std::string& text) {
+  const std::string path = testing::TempDir() + fmt::format("polder-{}.msh", getpid());
+  std::ofstream(path) << text;
+  return path;
+}
+
+MeshRequest two_soils() {
+  MeshRequest request;
+  request.polygons = {{{0, 0}, {4, 0}, {4, 1}, {0, 1}}, {{0, 1}, {4, 1}, {4, 2}, {0, 2}}};
+  request.size = 0.3;
+  return request;
+}
+
+TEST(MeshFile, GivesTheMeshOfTheSoilsByThePlaceOfItsTriangles) {
+  const Mesh own = make_mesh(two_soils());
+  const Mesh read = mesh_of_file(written(gmsh_text(own)), two_soils());
+  EXPECT_EQ(read.region, own.region);
+  EXPECT_EQ(read.nodes.size(), own.nodes.size());
+  EXPECT_NEAR(typical_size(read), 0.3, 0.1);
+}
+
+TEST(MeshFile, SaysWhatDoesNotFitTheCase) {
+  const MeshRequest soils = two_soils();
+  const std::string path = written(gmsh_text(make_mesh(soils)));
+  const auto refusal = [&](const MeshRequest& request) -> std::string {
+    try {
+      mesh_of_file(path, request);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return {};
+  };
+  MeshRequest other = soils;
+  other.polygons.pop_back();
+  EXPECT_NE(refusal(other).find("lies outside the soil of the case"), std::string::npos) << refusal(other);
+  other = soils;
+  other.polygons[1] = {{0, 1}, {4, 1}, {4, 2.5}, {0, 2.5}};
+  EXPECT_NE(refusal(other).find("2. soil have 4 m2, and that soil 6 m2"), std::string::npos) << refusal(other);
+  other = soils;
+  other.lines = {{{0, 2}, {1.2345, 2}}};
+  EXPECT_NE(refusal(other).find("no node at (1.2345, 2) m"), std::string::npos) << refusal(other);
+  other = soils;
+  other.cuts = {{{1, 1}, {1, 2}}};
+  EXPECT_NE(refusal(other).find("thin walls"), std::string::npos) << refusal(other);
+  EXPECT_THROW(mesh_of_file(path + ".not", soils), std::invalid_argument);
 }
 
 TEST(MeshLocator, FindsPlacesInASlenderMesh) {

@@ -1,8 +1,10 @@
 #include "polder/stability/assessment_json.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "polder/case/reader.hpp"
 #include "polder/stability/lines.hpp"
@@ -65,6 +67,59 @@ TEST(Assessment, ContoursAreLeastAtTheCriticalCentre) {
   for (const CentreFactor& c : found.contours) least = std::min(least, c.factor);
   EXPECT_GE(least, found.equilibrium.factor - 2e-3);
   EXPECT_LE(least, 1.02 * found.equilibrium.factor);
+}
+
+std::string case_of(const std::string& name, const std::string& text) {
+  const std::string path = testing::TempDir() + name;
+  std::ofstream(path) << "base = \"" POLDER_SOURCE_DIR "/cases/griffiths-lane-1/case.toml\"\n" << text;
+  return path;
+}
+
+TEST(Assessment, ALineLoadAddsItsMomentAboutTheCentre) {
+  const std::string undrained =
+      "[stability]\ncircle_centre = [[\"18 m\", \"22 m\"]]\ncircle_radius = \"21 m\"\n"
+      "[[strength]]\nmaterial = \"soil\"\nmodel = \"undrained\"\nundrained_strength = \"60 kPa\"\nunit_weight = "
+      "20000\n";
+  const auto circle = [](const std::string& path) {
+    const ReadResult read = read_case(path);
+    EXPECT_TRUE(read.ok()) << format(read.diagnostics);
+    const Study study{read.model, read.stability, read.seepage};
+    const Assessment all = assess(study, only("bishop"), {});
+    EXPECT_TRUE(all.factors.at(0).outcome) << all.factors.at(0).outcome.problem;
+    return all.factors.at(0);
+  };
+  const Factor plain = circle(case_of("plain.toml", undrained));
+  const Slices& slices = plain.outcome.search->slices;
+  double resisting = 0;
+  for (const Slice& s : slices.list) resisting += 60e3 * s.length * 21;
+  // On the ground at x, h: 30 kN/m, 20 deg towards the foot. Without friction F = ΣM_r / ΣM_d.
+  const Slice& loaded = slices.list.at(slices.list.size() / 4);
+  const double x = loaded.middle(), h = loaded.top(), a = slices.direction * 20 * 3.14159265358979 / 180;
+  const auto with = [&](double height) {
+    return circle(case_of("line-load.toml", fmt::format("{}[[line_load]]\nname = \"rail\"\nat = [[{:.9f}, {:.9f}]]\n"
+                                                        "force = \"30 kN/m\"\nangle = \"{} deg\"\n",
+                                                        undrained, x, height, 20 * slices.direction)))
+        .factor;
+  };
+  const double moment = 30e3 * (slices.direction * (18 - x) * std::cos(a) + slices.direction * std::sin(a) * (22 - h));
+  EXPECT_NEAR(1 / with(h) - 1 / plain.factor, moment / resisting, 2e-3 * moment / resisting);
+  EXPECT_NEAR(with(loaded.base() - 0.5), plain.factor, 1e-12);  // under the surface it does not slide with it
+}
+
+TEST(Assessment, ALineLoadBesideTheSectionIsRefused) {
+  const auto refusal = [](const std::string& at) -> std::string {
+    const ReadResult read = read_case(
+        case_of("line-load-off.toml", "[[line_load]]\nname = \"rail\"\nat = " + at + "\nforce = \"5 kN/m\"\n"));
+    if (!read.ok()) return format(read.diagnostics);
+    try {
+      study_sections({read.model, read.stability, read.seepage});
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return {};
+  };
+  EXPECT_NE(refusal("[[\"-2 m\", \"1 m\"]]").find("outside the section"), std::string::npos);
+  EXPECT_NE(refusal("[[\"2 m\", \"1 m\"], [\"3 m\", \"1 m\"]]").find("has 2 points"), std::string::npos);
 }
 
 TEST(Assessment, DikeChecksTakeWeightsAndHeadsFromTheSection) {

@@ -246,6 +246,17 @@ bool read_text(const Reading& r, const Value& value, Entry& field) {
   return false;
 }
 
+/// The file's path, from the folder of the case file that names it.
+bool read_file(const Reading& r, const Value& value, Entry& field) {
+  if (!read_text(r, value, field)) return false;
+  const auto path = std::filesystem::path(value.place.file).parent_path() / value.text;
+  std::error_code unknown;
+  field.text = path.string();
+  if (std::filesystem::is_regular_file(path, unknown)) return true;
+  r.fail(value, fmt::format("there is no file \"{}\"", value.text), "the path counts from the folder of this file");
+  return false;
+}
+
 bool read_count(const Reading& r, const Value& value, Entry& field) {
   if (value.kind != Value::Kind::integer) {
     r.fail(value, value.kind == Value::Kind::number
@@ -280,7 +291,7 @@ bool read_field(const Reading& r, const Value& value, Entry& field) {
   if (kind == "points") return read_points(r, value, 1, many, true, field);
   if (kind.starts_with("list of ")) return read_numbers(r, value, *find_quantity(kind.substr(8)), field.numbers);
   if (kind.starts_with("table of ")) return read_table(r, value, *find_quantity(kind.substr(9)), field);
-  return read_text(r, value, field);
+  return kind == "file" ? read_file(r, value, field) : read_text(r, value, field);
 }
 
 /// The default of a key as the file would have it.

@@ -175,15 +175,21 @@ std::string document_text(const Value& document) {
   return text;
 }
 
+void move_files(const std::string& section, Value& entry, const std::string& folder) {
+  for (Member& key : entry.members) {
+    const Key* known = find_key(section, key.name);
+    const bool table = known && known->quantity.starts_with("table of ") && key.value.text.ends_with(".csv");
+    if (!table && !(known && known->quantity == "file")) continue;
+    const fs::path file = fs::absolute(fs::path(key.value.place.file).parent_path() / key.value.text);
+    key.value.text = file.lexically_normal().lexically_proximate(fs::absolute(folder).lexically_normal()).string();
+  }
+}
+
 void move_files(Value& document, const std::string& folder) {
-  for (Member& member : document.members)
-    for (Value& entry : member.value.items)
-      for (Member& key : entry.members) {
-        const Key* known = find_key(member.name, key.name);
-        if (!known || !known->quantity.starts_with("table of ") || !key.value.text.ends_with(".csv")) continue;
-        const fs::path file = fs::absolute(fs::path(key.value.place.file).parent_path() / key.value.text);
-        key.value.text = file.lexically_normal().lexically_proximate(fs::absolute(folder).lexically_normal()).string();
-      }
+  for (Member& member : document.members) {
+    for (Value& entry : member.value.items) move_files(member.name, entry, folder);
+    move_files(member.name, member.value, folder);
+  }
 }
 
 }  // namespace

@@ -64,6 +64,10 @@ const std::vector<Section> sections = {
      "A line on which the head is known, for the factor of safety: pressure is linear in height between the water "
      "table, "
      "such lines one under the other, and hydrostatic under the last."},
+    {"line_load", true, false,
+     "A force per metre of dike at a point of the section, for the factor of safety (a rail, an anchored fence, the "
+     "wind on "
+     "a tree)."},
     {"dike_check", true, false,
      "A place behind a dike where `polder stability` checks uplift, heave and (with a `d70`) piping: weights and heads "
      "are "
@@ -419,6 +423,7 @@ std::string expected(const Key& key) {
     const std::string kind = key.quantity.substr(9);
     return fmt::format("a {0}, a list of [time, {0}], or a CSV file{1}", kind, such);
   }
+  if (key.quantity == "file") return "the name of a file" + such;
   return "a text" + such;
 }
 

@@ -157,6 +157,7 @@ Sections read_sections(const Value& document, Diagnostics& diagnostics) {
     if (section.name == "stability") sections.stability = one();
     if (section.name == "strength") sections.strengths = all();
     if (section.name == "head_line") sections.head_lines = all();
+    if (section.name == "line_load") sections.line_loads = all();
     if (section.name == "load") sections.loads = all();
     if (section.name == "change") sections.changes = all();
     if (section.name == "well") sections.wells = all();

@@ -12,8 +12,8 @@ namespace polder::case_file {
 
 struct Sections {
   Fields model, water, initial, output, numerics, stability, seepage;
-  std::vector<Fields> materials, soils, free_water, boundaries, walls, stages, monitors, strengths, head_lines, loads,
-      retentions, seepage_boundaries, changes, wells, rains, dike_checks;
+  std::vector<Fields> materials, soils, free_water, boundaries, walls, stages, monitors, strengths, head_lines,
+      line_loads, loads, retentions, seepage_boundaries, changes, wells, rains, dike_checks;
   std::vector<const LawDescription*> laws;  ///< of the materials; nullptr where unknown
 };
 

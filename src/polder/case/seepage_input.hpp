@@ -14,6 +14,7 @@ enum class SeepageStart { water_table, steady };
 
 struct SeepageInput {
   double mesh_size = 0;       ///< m, sides of the triangles; 0: the case's cell
+  std::string mesh_file;      ///< of Gmsh, instead of our own mesh; empty: none
   std::vector<double> times;  ///< s, instants of a transient computation, ascending; empty: steady
   SeepageStart start = SeepageStart::water_table;
   bool deformation = false;  ///< the ground deforms with the flow (elastic–plastic, small strains)

@@ -9,6 +9,9 @@ std::vector<Key> seepage_keys() {
   return {
       {"seepage", "mesh_size", "", "length", false, "", 1e-4, 1e4, R"("0.1 m")",
        "Length of the triangles' sides. Left out: the largest `model.cell`."},
+      {"seepage", "mesh", "", "file", false, "", any, infinity, R"("section.msh")",
+       "A Gmsh file (text, version 2.2 or 4.1) whose triangles are taken instead of our own: x and height in m, sides "
+       "along the outlines of the soils."},
       {"seepage", "times", "", "list of time", false, "", 0, infinity, R"(["2 s", "6 s"])",
        "Instants of a transient computation. Left out: steady seepage."},
       {"seepage", "start", "", "choice:water-table|steady", false, "water-table", any, infinity, R"("water-table")",

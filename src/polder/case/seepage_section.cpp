@@ -60,6 +60,7 @@ SeepageInput read_seepage(const Sections& sections, const Model& model, Diagnost
   const Fields& f = sections.seepage;
   SeepageInput input;
   input.mesh_size = f.number("mesh_size");
+  input.mesh_file = f.text("mesh");
   if (const Entry* times = f.find("times")) input.times = times->numbers;
   std::sort(input.times.begin(), input.times.end());
   input.start = f.text("start") == "steady" ? SeepageStart::steady : SeepageStart::water_table;

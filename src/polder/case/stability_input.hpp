@@ -202,6 +202,7 @@ struct Input {
   Line daily_phreatic;        ///< of the state to which preconsolidation refers; empty: the same water
   double head_deviation = 0;  ///< m, standard deviation of all heads, for the probabilistic run
   std::vector<StripLoad> loads;
+  std::vector<LineLoad> line_loads;
   Earthquake earthquake;
   TensionCrack crack;
   SlipLimits limits;                    ///< its minimum depth only where `minimum_depth` says so
@@ -212,6 +213,7 @@ struct Input {
   Line surface;                         ///< one free surface to compute; empty: search
   PartialFactors partial_factors;
   Line fixed_line;           ///< strength reduction holds the outline along it
+  std::string mesh_file;     ///< of Gmsh, for strength reduction; empty: our own mesh
   double fem_triangles = 0;  ///< of strength reduction; 0: its own number
   std::vector<DikeCheckInput> dike_checks;
 };

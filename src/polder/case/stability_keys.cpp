@@ -1,4 +1,6 @@
 // Keys of the sections that only the factor of safety reads.
+#include <numbers>
+
 #include "polder/case/stability_section.hpp"
 
 namespace polder::case_file {
@@ -17,6 +19,8 @@ std::vector<Key> stability_keys() {
        "Strength reduction holds the part of the soil's outline on this line (a slope under a membrane, a wall)."},
       {"stability", "triangles", "", "count", false, "0", 0, 100000, "4000",
        "About so many triangles for strength reduction; 0: 3000."},
+      {"stability", "mesh", "", "file", false, "", any, infinity, R"("section.msh")",
+       "A Gmsh file whose triangles strength reduction takes instead of our own, as `seepage.mesh`."},
       {"stability", "phreatic_line", "", "polyline", false, "", any, infinity, R"([["0 m", "1 m"], ["4 m", "0 m"]])",
        "Water table, [x, height] from left to right. Left out: `initial.water_table`."},
       {"stability", "daily_phreatic_line", "", "polyline", false, "", any, infinity,
@@ -122,7 +126,17 @@ std::vector<Key> stability_keys() {
        "Level of the water outside. Needed for piping."},
       {"dike_check", "thickness", "D", "length", false, "", 1e-3, 1e4, R"("3 m")",
        "Of the aquifer. Left out: that of the section at the exit."},
-      // ---- load
+      // ---- line_load
+      {"line_load", "name", "", "name", false, "", any, infinity, R"("rail")", "Its name in messages."},
+      {"line_load", "at", "", "points", true, "", any, infinity, R"([["3 m", "1.2 m"]])",
+       "The point where it acts: on the ground, in it (slip surfaces above it do not feel it), or over it, on a mast."},
+      {"line_load", "force", "P", "line force", true, "", -1e8, 1e8, R"("20 kN/m")", "Per metre of dike, downwards."},
+      {"line_load", "angle", "", "angle", false, "0 deg", -std::numbers::pi / 2, std::numbers::pi / 2, R"("10 deg")",
+       "From the vertical, positive where it pushes towards +x."},
+      {"line_load", "spread", "", "angle", false, "0 deg", 0, 1.2, R"("30 deg")",
+       "Angle from the vertical over which it spreads with depth."},
+      {"line_load", "consolidation", "U", "ratio", false, "1", 0, 1, "1",
+       "Degree of consolidation under it; the rest is carried by the pore water of all layers."},
   };
 }
 

@@ -52,6 +52,23 @@ MaterialStrength read_strength(const Fields& f, const Model& model, Diagnostics&
   return out;
 }
 
+LineLoad read_line_load(const Fields& f, const Model& model, Diagnostics& diagnostics) {
+  LineLoad load;
+  load.name = f.text("name");
+  const Line at = line_of(f, "at");
+  if (at.size() == 1)
+    load.at = at.front();
+  else if (!at.empty())
+    report(diagnostics, f.place_of("at"), f.path_of("at"), fmt::format("has {} points", at.size()),
+           "give the one point where the force acts");
+  load.force = f.number("force");
+  load.angle = f.number("angle");
+  load.spread = f.number("spread");
+  if (const double degree = f.number("consolidation", 1); degree < 1)
+    load.consolidation.assign(model.soils.size(), degree);
+  return load;
+}
+
 DikeCheckInput read_dike_check(const Fields& f, const Model& model, std::size_t number, Diagnostics& diagnostics) {
   DikeCheckInput out;
   out.name = f.text("name").empty() ? fmt::format("{}", number) : f.text("name");
@@ -106,6 +123,7 @@ stability::Input read_stability(const Sections& sections, const Model& model, Di
                     : pressures == "both"  ? PressureSource::both
                                            : PressureSource::water_net;
   input.fixed_line = line_of(f, "fixed_line");
+  input.mesh_file = f.text("mesh");
   input.fem_triangles = f.number("triangles");
   input.max_suction = f.number("suction");
   input.head_deviation = f.number("head_deviation");
@@ -129,6 +147,7 @@ stability::Input read_stability(const Sections& sections, const Model& model, Di
       strip.consolidation.assign(model.soils.size(), degree);
     input.loads.push_back(strip);
   }
+  for (const Fields& load : sections.line_loads) input.line_loads.push_back(read_line_load(load, model, diagnostics));
   for (const Fields& check : sections.dike_checks)
     input.dike_checks.push_back(read_dike_check(check, model, input.dike_checks.size() + 1, diagnostics));
   input.earthquake = {f.number("horizontal_quake"), f.number("vertical_quake")};

@@ -83,6 +83,7 @@ constexpr Quantity table[] = {
     {"inverse length", "an inverse length", "1/m", "0.1 1/cm", {0, -1, 0, 0}},
     {"mass", "a mass", "kg", "1 kg", {1, 0, 0, 0}},
     {"force", "a force", "N", "1 kN", {1, 1, -2, 0}},
+    {"line force", "a force per metre", "N/m", "20 kN/m", {1, 0, -2, 0}},
     {"angle", "an angle", "rad", "35 deg", {0, 0, 0, 1}},
     {"ratio", "a ratio", "", "0.4", {0, 0, 0, 0}},
 };

@@ -162,6 +162,33 @@ void draw_loads(Drawing& drawing, const Panel& panel, const PreparedSection& pre
   }
 }
 
+// The force stands on its point; 26 units of the drawing long.
+void draw_line_loads(Drawing& drawing, const Panel& panel, const PreparedSection& prepared) {
+  for (const stability::LineLoad& load : prepared.section.line_loads) {
+    constexpr double length = 26, head = 6;
+    const double turn = load.force < 0 ? -1 : 1, dx = turn * std::sin(load.angle), dy = turn * std::cos(load.angle);
+    const Point2 tip = panel.at(load.at);
+    const Stroke stroke{ink::text, 1.6, {}};
+    drawing.line({tip[0] - length * dx, tip[1] - length * dy}, tip, stroke);
+    for (const double side : {-0.5, 0.5})
+      drawing.line({tip[0] - head * (dx + side * dy), tip[1] - head * (dy - side * dx)}, tip, stroke);
+  }
+}
+
+// The tension crack in which the surface begins, and how high water stands in it.
+void draw_crack(Drawing& drawing, const Panel& panel, const PreparedSection& prepared, const SearchResult& found) {
+  const stability::TensionCrack& crack = prepared.section.crack;
+  if (crack.depth <= 0 || found.slices.list.empty()) return;
+  const Slice& first = found.slices.list.front();
+  const bool to_right = found.slices.direction > 0;
+  const double x = to_right ? first.left : first.right;
+  const double base = to_right ? first.base_left : first.base_right, top = to_right ? first.top_left : first.top_right;
+  if (crack.water > 0)
+    drawing.line(panel.at(x, base), panel.at(x, std::min(top, base + crack.water * crack.depth)),
+                 Stroke{ink::water_line, 5, {}});
+  drawing.line(panel.at(x, base), panel.at(x, top), Stroke{rgb(0xa13127), 1.8, {4, 2}});
+}
+
 // The point of a contour line of level `v` on a side, where it crosses it.
 std::optional<Point2> crossing(const Point2& a, double va, const Point2& b, double vb, double v) {
   if ((va < v) == (vb < v)) return std::nullopt;
@@ -177,7 +204,9 @@ Drawing draw_slip(const PreparedSection& prepared, const SearchResult* found, co
   draw_soil(drawing, panel, prepared);
   draw_water(drawing, panel, prepared);
   draw_loads(drawing, panel, prepared);
-  if (found != nullptr && *found) draw_surface(drawing, panel, *found, true);
+  draw_line_loads(drawing, panel, prepared);
+  if (found != nullptr && *found)
+    draw_surface(drawing, panel, *found, true), draw_crack(drawing, panel, prepared, *found);
   draw_frame_of(drawing, panel, title);
   return drawing;
 }
@@ -202,6 +231,7 @@ Drawing draw_centres(const PreparedSection& prepared, const SearchResult& found)
   draw_soil(drawing, panel, prepared);
   draw_water(drawing, panel, prepared);
   draw_surface(drawing, panel, found, false);
+  draw_crack(drawing, panel, prepared, found);
   Squares squares;
   for (const CentreFactor& c : found.contours) {
     squares.centres.push_back(panel.at(c.centre));

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "polder/seepage/chain_sides.hpp"
-#include "polder/seepage/mesher.hpp"
+#include "polder/seepage/mesh_file.hpp"
 
 namespace polder {
 namespace {
@@ -130,7 +130,8 @@ ModelFlow model_flow(const Model& model, const SeepageInput& input) {
     if (!boundary.side && boundary.line.size() == 2) request.lines.push_back(boundary.line);
   for (const WallInput& wall : model.walls) request.cuts.push_back(wall.line);
   for (const SeepageCondition& condition : input.conditions) request.lines.push_back(condition.line);
-  flow.mesh = make_mesh(request);
+  flow.mesh = input.mesh_file.empty() ? make_mesh(request) : mesh_of_file(input.mesh_file, request);
+  if (!input.mesh_file.empty()) request.size = typical_size(flow.mesh);
   const double near = 1e-4 * request.size;
   std::vector<FlowBoundary> kinds;  // without their lines
   std::vector<std::vector<std::array<Point2, 2>>> sides;

@@ -89,6 +89,10 @@ std::vector<std::string> check_data(const Section& section) {
     if (load.to <= load.from)
       problems.push_back(fmt::format("load '{}': it runs from {:g} to {:g} m; give the smaller x first", load.name,
                                      load.from, load.to));
+  for (const LineLoad& load : section.line_loads)
+    if (!section.layers.empty() && (load.at[0] < left || load.at[0] > right))
+      problems.push_back(fmt::format("line load '{}': x = {:g} m lies outside the section ({:g} to {:g} m)", load.name,
+                                     load.at[0], left, right));
   if (!section.layers.empty()) {
     check_range(section.limits.entry, "entry", left, right, problems);
     check_range(section.limits.exit, "exit", left, right, problems);

@@ -243,6 +243,11 @@ double pore_pressure(const PreparedSection& prepared, double x, double z) {
   return pore_pressure(section.water, x, z, ground_level(prepared, x));
 }
 
+bool buried(const PreparedSection& prepared, const LineLoad& load) {
+  constexpr double rounding = 0.005;  // m; drawings are rounded to millimetres
+  return load.at[1] < ground_level(prepared, load.at[0]) - rounding;
+}
+
 LoadStress load_stress(const PreparedSection& prepared, double x, double z, double width, int layer) {
   LoadStress stress;
   const Line& table = prepared.section.water.phreatic;
@@ -261,6 +266,7 @@ LoadStress load_stress(const PreparedSection& prepared, double x, double z, doub
     add(load.from - reach, load.to + reach, load.pressure * (load.to - load.from), load.consolidation);
   }
   for (const LineLoad& load : prepared.section.line_loads) {
+    if (load.at[1] < z && buried(prepared, load)) continue;  // it presses on what is under it
     const double reach = std::max(width / 2, std::max(0.0, load.at[1] - z) * std::tan(load.spread));
     add(load.at[0] - reach, load.at[0] + reach, load.force * std::cos(load.angle), load.consolidation);
   }

@@ -52,6 +52,9 @@ double pore_pressure(const PreparedSection& prepared, double x, double z);
 /// Vertical effective stress at (x, z) from soil, free water, loads and pore pressure, Pa, compression positive.
 double vertical_effective_stress(const PreparedSection& prepared, double x, double z);
 
+/// Whether the line load acts inside the soil: a slip surface above it does not feel it.
+bool buried(const PreparedSection& prepared, const LineLoad& load);
+
 /// Stress under the strip and line loads at (x, z), averaged over `width` around x.
 struct LoadStress {
   double vertical = 0;         ///< Pa, compression positive

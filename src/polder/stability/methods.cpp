@@ -70,6 +70,7 @@ Outcome run_uplift_van(const Study& study, const PreparedSection& prepared) {
 Outcome run_strength_reduction(const Study& study, const PreparedSection& prepared) {
   SectionReductionOptions options;
   if (study.input.fem_triangles > 0) options.triangles = study.input.fem_triangles;
+  options.mesh_file = study.input.mesh_file;
   if (!study.input.fixed_line.empty()) options.fixed.push_back(study.input.fixed_line);
   for (const MaterialInput& material : study.model.materials)
     options.stiffness.push_back({law_parameter(material, "young_modulus").value_or(options.young_modulus),

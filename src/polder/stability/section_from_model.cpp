@@ -121,6 +121,7 @@ Section section_from_model(const Model& model, const Input& input) {
   section.water.references = input.heads;
   section.water.max_suction = input.max_suction;
   section.strip_loads = input.loads;
+  section.line_loads = input.line_loads;
   section.earthquake = input.earthquake;
   section.crack = input.crack;
   section.limits = input.limits;
@@ -138,6 +139,7 @@ Section section_from_model(const Model& model, const Input& input) {
     daily.water.phreatic = input.daily_phreatic;
     daily.water.references.clear();
     daily.strip_loads.clear();
+    daily.line_loads.clear();
     section.before.push_back(std::move(daily));
   }
   return section;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "polder/seepage/mesher.hpp"
+#include "polder/seepage/mesh_file.hpp"
 
 namespace polder::stability {
 namespace {
@@ -81,7 +81,8 @@ SectionReduction reduce_strength(const PreparedSection& prepared, const SectionR
   constexpr double share = 0.37;  // of size²: mean area of the mesher's triangles
   request.size = std::sqrt(area / options.triangles / share);
   for (const StripLoad& load : section.strip_loads) request.lines.push_back(ground_line(prepared, load.from, load.to));
-  out.mesh = make_mesh(request);
+  out.mesh = options.mesh_file.empty() ? make_mesh(request) : mesh_of_file(options.mesh_file, request);
+  if (!options.mesh_file.empty()) request.size = typical_size(out.mesh);
 
   FemProblem problem;
   problem.mesh = &out.mesh;

@@ -8,6 +8,7 @@
 namespace polder::stability {
 
 struct SectionReductionOptions {
+  std::string mesh_file;                            ///< of Gmsh, instead of our own mesh; empty: none
   double triangles = 3000;                          ///< about so many
   double young_modulus = 1e8, poisson_ratio = 0.3;  ///< Pa; they hardly change the factor (Griffiths & Lane 1999)
   std::vector<std::array<double, 2>> stiffness;     ///< Pa, –: E and ν of each soil where they are known

@@ -86,11 +86,12 @@ void add_forces(const PreparedSection& prepared, double direction, Slice& slice)
   add(section.earthquake.horizontal * slice.weight, (slice.top() + base) / 2);
   add(direction * water * (slice.top_right - slice.top_left), slice.top());
   for (const LineLoad& line : section.line_loads) {
+    if (line.at[1] < base && buried(prepared, line)) continue;
     const double reach = std::max(0.0, line.at[1] - base) * std::tan(line.spread);
     const double half = std::max(reach, slice.width / 2);
     const double share =
         (std::min(line.at[0] + half, slice.right) - std::max(line.at[0] - half, slice.left)) / (2 * half);
-    if (share > 0) add(direction * share * line.force * std::sin(line.angle), slice.top());
+    if (share > 0) add(direction * share * line.force * std::sin(line.angle), line.at[1]);
   }
   slice.horizontal = force;
   slice.horizontal_level = std::abs(force) > 1e-9 ? moment / force : slice.top();

@@ -144,6 +144,12 @@ void write_soils(Writer& out, const PreparedSection& prepared, std::vector<std::
   }
 }
 
+// One degree for all layers, the least of them.
+void write_consolidation(Writer& out, const std::vector<double>& degrees_by_layer) {
+  const auto least = std::min_element(degrees_by_layer.begin(), degrees_by_layer.end());
+  if (least != degrees_by_layer.end() && *least < 1) out.line("consolidation = {:g}", *least);
+}
+
 void write_stability(Writer& out, const StixCalculation& calculation, const PreparedSection& prepared) {
   const Section& section = prepared.section;
   out.line("\n[stability]");
@@ -173,8 +179,15 @@ void write_stability(Writer& out, const StixCalculation& calculation, const Prep
     const StripLoad& load = section.strip_loads[i];
     out.line("\n[[load]]\nname = \"load {}\"\nspan = [{:.4f}, {:.4f}]\npressure = \"{:g} kPa\"\nspread = \"{:g} deg\"",
              i + 1, load.from + out.dx, load.to + out.dx, load.pressure / 1e3, degrees(load.spread));
-    const auto least = std::min_element(load.consolidation.begin(), load.consolidation.end());
-    if (least != load.consolidation.end() && *least < 1) out.line("consolidation = {:g}", *least);
+    write_consolidation(out, load.consolidation);
+  }
+  for (std::size_t i = 0; i < section.line_loads.size(); ++i) {
+    const LineLoad& load = section.line_loads[i];
+    out.line(
+        "\n[[line_load]]\nname = \"line load {}\"\nat = [{}]\nforce = \"{:g} kN/m\"\nangle = \"{:g} deg\"\n"
+        "spread = \"{:g} deg\"",
+        i + 1, out.point(load.at), load.force / 1e3, degrees(load.angle), degrees(load.spread));
+    write_consolidation(out, load.consolidation);
   }
 }
 
@@ -198,7 +211,6 @@ std::string case_text(const StixCalculation& calculation, const std::string& sou
   out.line("\n[model]\ntitle = \"{}\"\nsize = [{:g}, {:g}]\ncell = {:g}", calculation.label,
            whole(prepared.right() - prepared.left()), whole(top - bottom), cell);
   write_soils(out, prepared, notes);
-  if (!prepared.section.line_loads.empty()) notes.push_back("line loads cannot be written into a case file");
   out.line("\n[[stage]]\nname = \"rest\"\nduration = \"1 s\"");
   write_stability(out, calculation, prepared);
   return out.text;
