@@ -294,7 +294,9 @@ std::vector<Key> make_keys() {
        "region: water-volume, soil-volume, kinetic-energy, settlement (mean, of the soil that was there at the start), "
        "largest-porosity, largest-uplift, eroded-area, water-front, soil-front."},
       {"monitor", "at", "", "points", false, "", any, infinity, R"([["3.5 m", "0.2 m"]])",
-       "The points; of a section the two ends of the line; of a surface the places where its height is taken."},
+       "The points; of a section the two ends of the line; of a surface the places where its height is taken, each for "
+       "the "
+       "column of cells in which it lies."},
       {"monitor", "region", "", "polygon", false, "", any, infinity,
        R"([["2 m", "0 m"], ["4 m", "0 m"], ["4 m", "1.5 m"], ["2 m", "1.5 m"]])",
        "Of an integral; left out: the whole model."},
