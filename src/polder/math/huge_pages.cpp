@@ -10,8 +10,9 @@
 namespace polder {
 
 void keep_arrays_together() {
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);
-  mallopt(M_TRIM_THRESHOLD, 512 << 20);  // sorting frees and takes an array at a time
+  // asked for when a program begins, before it has threads
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);   // NOLINT(concurrency-mt-unsafe)
+  mallopt(M_TRIM_THRESHOLD, 512 << 20);  // NOLINT(concurrency-mt-unsafe): sorting frees and takes an array at a time
 }
 
 void use_huge_pages() {

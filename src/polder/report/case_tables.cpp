@@ -139,7 +139,7 @@ std::string course_text(const Json& table, const char* quantity) {
     return a.at(1).get<double>() < b.at(1).get<double>();
   });
   const std::string time = time_text(table.back().at(0).get<double>());
-  const auto ends = std::minmax(table.front().at(1).get<double>(), table.back().at(1).get<double>());
+  const auto ends = std::minmax({table.front().at(1).get<double>(), table.back().at(1).get<double>()});
   if (ends.first <= low->at(1).get<double>() && ends.second >= high->at(1).get<double>())
     return fmt::format("{} to {} in {}", shown(table.front()), shown(table.back()), time);
   return fmt::format("{} to {}, {} after {}", shown(*low), shown(*high), shown(table.back()), time);
@@ -247,7 +247,7 @@ PageTable stages(const Json& inputs) {
   for (const Json& s : list) {
     std::string text = what_happens(s);
     if (const std::string changes = what_changes(inputs, text_of(s, "name")); !changes.empty())
-      text = text == "–" ? changes : changes + "; " + text;
+      text = text == "–" ? changes : fmt::format("{}; {}", changes, text);
     table.rows.push_back(
         {{words(text_of(s, "name"))}, {s.contains("duration") ? time_text(s["duration"].get<double>()) : "–"}, {text}});
   }
