@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 #include <hdf5.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "case_text.hpp"
 
@@ -136,6 +138,21 @@ TEST_F(StoredCheckpoint, WithValuesBeyondReasonEndsAtAGuard) {
     EXPECT_TRUE(ends([&](auto& state) { state.water.volume[5] = std::abs(value); })) << value;
     EXPECT_TRUE(ends([&](auto& state) { state.water.elongation[0][5] = value; })) << value;
   }
+}
+
+// HDF5 looks on the disk for a file of the name that one in memory is given.
+TEST(Checkpoint, IsRestoredBesideAnythingThatIsCalledCheckpoint) {
+  const auto here = std::filesystem::current_path();
+  const auto folder = std::filesystem::temp_directory_path() / ("polder-checkpoint-" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder / "checkpoint");
+  std::filesystem::current_path(folder);
+  const Model model = drop();
+  Simulation<PlaneStrain> run(model, 1), again(model, 1);
+  run.advance();
+  EXPECT_NO_THROW(restore_checkpoint(checkpoint_bytes(run, OutputState{}, "case"), again, "case"));
+  std::filesystem::current_path(here);
+  std::filesystem::remove_all(folder);
+  EXPECT_EQ(again.time(), run.time());
 }
 
 }  // namespace

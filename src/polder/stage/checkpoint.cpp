@@ -123,7 +123,10 @@ void each_output(OutputState& output, Archive&& archive) {
   archive("output/followed", output.followed);
 }
 
-/// A file of HDF5's that lives in memory.
+/// Of a file of HDF5's that lives in memory. One of that name must not be on the disk: HDF5 looks, and then refuses the
+/// image that it was given.
+constexpr const char* nowhere = "/dev/null/checkpoint";
+
 Handle in_memory() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_core(access.id, 1 << 20, 0);
@@ -141,7 +144,7 @@ std::uint64_t checksum(const char* bytes, std::size_t count) {
 template <class Space>
 std::string checkpoint_bytes(Simulation<Space>& run, const OutputState& output, const std::string& case_text) {
   const Handle access = in_memory();
-  const Handle file(H5Fcreate("checkpoint", H5F_ACC_TRUNC, H5P_DEFAULT, access.id), H5Fclose);
+  const Handle file(H5Fcreate(nowhere, H5F_ACC_TRUNC, H5P_DEFAULT, access.id), H5Fclose);
   write(file.id, "case", reinterpret_cast<const std::uint8_t*>(case_text.data()), case_text.size());
   OutputState copy = output;
   each_output(copy, Writer{file.id});
@@ -169,7 +172,7 @@ OutputState restore_checkpoint(const std::string& bytes, Simulation<Space>& run,
   const Handle access = in_memory();
   std::string image = bytes.substr(0, bytes.size() - tail);
   H5Pset_file_image(access.id, image.data(), image.size());
-  const Handle file(H5Fopen("checkpoint", H5F_ACC_RDONLY, access.id), H5Fclose);
+  const Handle file(H5Fopen(nowhere, H5F_ACC_RDONLY, access.id), H5Fclose);
   const Stored stored_case(file.id, "case", image.size());
   std::string of(stored_case.length(), '\0');
   stored_case.read(reinterpret_cast<std::uint8_t*>(of.data()), of.size());
