@@ -264,7 +264,7 @@ Mesh make_mesh(const MeshRequest& request) {
   }
   smooth(plain, 8);
   open_cuts(plain, cuts);
-  return quadratic_mesh(std::move(plain.nodes), std::move(plain.triangles), std::move(plain.region));
+  return quadratic_mesh(std::move(plain.nodes), plain.triangles, std::move(plain.region));
 }
 
 }  // namespace polder

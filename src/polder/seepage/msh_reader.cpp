@@ -210,7 +210,7 @@ GmshMesh read_msh(std::istream& in) {
     }
     triangles.push_back(t);
   }
-  GmshMesh read{quadratic_mesh(std::move(points), std::move(triangles), std::move(r.region)), std::move(r.names)};
+  GmshMesh read{quadratic_mesh(std::move(points), triangles, std::move(r.region)), std::move(r.names)};
   for (std::size_t t = 0; t < r.corners.size(); ++t)
     if (const double size = area(read.mesh, static_cast<int>(t)); !(size > 0) || !std::isfinite(size))
       r.fail(fmt::format("the triangle of the nodes {}, {} and {} has no area", r.corners[t][0], r.corners[t][1],

@@ -37,6 +37,7 @@ void take_pressures(const FlowSolver& solver, const FlowState& state, double spa
 
   section.water.phreatic.clear();
   std::vector<double> xs;
+  xs.reserve(static_cast<std::size_t>(grid.count_x));
   for (int i = 0; i < grid.count_x; ++i) xs.push_back(within(low[0] + i * grid.spacing_x, 0));
   const auto heights = phreatic_heights(solver, state, xs);
   for (std::size_t i = 0; i < xs.size(); ++i) section.water.phreatic.push_back({xs[i], heights[i].value_or(low[1])});

@@ -44,7 +44,7 @@ class Upcoming {
                                           (Space::axes == 3 ? row / across - 1 : 0) * lattice.stride[2]);
       const auto ask = [at](const Array& field) {
         for (int i = 0; i < values * across; i += line) __builtin_prefetch(field.data() + at + i, 0, second_level);
-        __builtin_prefetch(field.data() + at + values * across - 1, 0, second_level);
+        __builtin_prefetch(field.data() + at + std::ptrdiff_t{values} * across - 1, 0, second_level);
       };
       (each_array(fields, ask), ...);
     }
