@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 #include <hdf5.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
 
+#include "../result/temporary_folder.hpp"
 #include "case_text.hpp"
 
 namespace polder {
@@ -143,15 +143,14 @@ TEST_F(StoredCheckpoint, WithValuesBeyondReasonEndsAtAGuard) {
 // HDF5 looks on the disk for a file of the name that one in memory is given.
 TEST(Checkpoint, IsRestoredBesideAnythingThatIsCalledCheckpoint) {
   const auto here = std::filesystem::current_path();
-  const auto folder = std::filesystem::temp_directory_path() / ("polder-checkpoint-" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder / "checkpoint");
-  std::filesystem::current_path(folder);
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path / "checkpoint");
+  std::filesystem::current_path(folder.path);
   const Model model = drop();
   Simulation<PlaneStrain> run(model, 1), again(model, 1);
   run.advance();
   EXPECT_NO_THROW(restore_checkpoint(checkpoint_bytes(run, OutputState{}, "case"), again, "case"));
   std::filesystem::current_path(here);
-  std::filesystem::remove_all(folder);
   EXPECT_EQ(again.time(), run.time());
 }
 

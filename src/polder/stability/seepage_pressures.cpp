@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polder/case/geometry.hpp"
 #include "polder/seepage/flow_results.hpp"
 #include "polder/stability/lines.hpp"
 
@@ -10,9 +11,8 @@ namespace polder::stability {
 
 void take_pressures(const FlowSolver& solver, const FlowState& state, double spacing, Section& section) {
   const Mesh& mesh = *solver.problem().mesh;
-  Point low{1e300, 1e300}, high{-1e300, -1e300};
-  for (const Point2& node : mesh.nodes)
-    for (std::size_t k = 0; k < 2; ++k) low[k] = std::min(low[k], node[k]), high[k] = std::max(high[k], node[k]);
+  const Bounds box = bounds(mesh.nodes);
+  const Point2 &low = box.low, &high = box.high;
 
   PressureGrid grid;
   grid.corner = low;

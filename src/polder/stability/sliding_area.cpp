@@ -4,12 +4,12 @@
 #include <cmath>
 #include <vector>
 
+#include "polder/case/geometry.hpp"
+
 namespace polder {
 
 double sliding_area(const Mesh& mesh, std::span<const double> displacement) {
-  Point2 low{1e300, 1e300}, high{-1e300, -1e300};
-  for (const Point2& node : mesh.nodes)
-    for (std::size_t k = 0; k < 2; ++k) low[k] = std::min(low[k], node[k]), high[k] = std::max(high[k], node[k]);
+  const auto [low, high] = bounds(mesh.nodes);
   const MeshLocator locator(mesh);
   std::vector<double> size(mesh.nodes.size());
   for (std::size_t n = 0; n < size.size(); ++n) size[n] = std::hypot(displacement[2 * n], displacement[2 * n + 1]);

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "polder/step/face_loop.hpp"
+#include "polder/step/interior.hpp"
 
 namespace polder {
 
@@ -102,16 +103,7 @@ void Audit<Space>::take(const Stepper<Space>& state, double dt) {
     if (!grid.wet[cell]) return;
     ++wet;
     over += grid.fill[cell] > 1.05;
-    bool interior = true;
-    for (int a = 0; a < Space::axes; ++a) {
-      const std::ptrdiff_t s = lattice.stride[a];
-      if (state.setup.water_box.periodic(a)) {
-        interior = interior && grid.wet[cell - s] && grid.wet[cell + s];
-        continue;
-      }
-      interior = interior && (at[a] == 0 || state.setup.shut(a, cell) || grid.wet[cell - s]) &&
-                 (at[a] == lattice.cells[a] - 1 || state.setup.shut(a, cell + s) || grid.wet[cell + s]);
-    }
+    const bool interior = is_inside_water(state.setup, grid, cell, at);
     inside += interior;
     under += interior && grid.fill[cell] < 0.95;
   };

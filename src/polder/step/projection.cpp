@@ -5,6 +5,7 @@
 
 #include "polder/step/face_loop.hpp"
 #include "polder/step/far_field.hpp"
+#include "polder/step/interior.hpp"
 
 namespace polder {
 
@@ -247,19 +248,8 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
       grid.potential[cell] = solver.right_side[cell] = 0;
       if (!grid.wet[cell]) continue;
       if (solver.matrix.diagonal[cell] > 0) solver.matrix.diagonal[cell] += floor;
-      const int at[3] = {place[0] + i, place[1], place[2]};
-      bool inside = true;
-      for (int a = 0; a < Space::axes; ++a) {
-        const std::ptrdiff_t s = lattice.stride[a];
-        if (setup.water_box.periodic(a)) {
-          inside = inside && grid.wet[cell - s] && grid.wet[cell + s];
-          continue;
-        }
-        inside = inside && (at[a] == 0 || setup.shut(a, cell) || grid.wet[cell - s]) &&
-                 (at[a] == lattice.cells[a] - 1 || setup.shut(a, cell + s) || grid.wet[cell + s]);
-      }
       double error = grid.fill[cell] - 1;
-      if (!inside) error = std::max(0.0, error);
+      if (!is_inside_water(setup, grid, cell, {place[0] + i, place[1], place[2]})) error = std::max(0.0, error);
       solver.right_side[cell] = setup.numerics.volume_correction * grid.cell_porosity[cell] * volume *
                                 setup.bodies.open_cell(cell) * std::clamp(error, -0.5, 0.5);
     }

@@ -190,10 +190,7 @@ Experiment water_column(const Model& model) {
 }
 
 Experiment heave(const Model& model) {
-  struct Uplift {
-    std::vector<double> head, height;  // difference of the levels; mean uplift of the prism, m
-  };
-  const auto uplift = std::make_shared<Uplift>();
+  const auto uplift = std::make_shared<Table>();  // mean of the prism by the difference of the levels, m
   const auto& pile = model.walls.at(0).line;
   const double toe = std::min(pile[0][1], pile[1][1]);
   const double wall = pile[0][0], ground = bounds(model.soils.at(0).region.polygon).high[1];
@@ -204,7 +201,7 @@ Experiment heave(const Model& model) {
   Experiment experiment;
   experiment.watch = [=](const Simulation<PlaneStrain>& run) {
     const double head = levels[0](run.time()) - levels[1](run.time());
-    if (!uplift->head.empty() && head < uplift->head.back() + 0.01) return;
+    if (!uplift->x.empty() && head < uplift->x.back() + 0.01) return;
     const auto& soil = run.state().soil;
     double sum = 0, mass = 0;
     for (std::size_t p = 0; p < soil.size(); ++p) {
@@ -213,12 +210,12 @@ Experiment heave(const Model& model) {
       sum += soil.mass[p] * (soil.position[1][p] - y);
       mass += soil.mass[p];
     }
-    uplift->head.push_back(head);
-    uplift->height.push_back(sum / mass);
+    uplift->x.push_back(head);
+    uplift->y.push_back(sum / mass);
   };
   experiment.finish = [uplift](Result& result) {
     // an elastic branch and one on which the prism floats, each through two points; heave begins where they meet
-    const auto at = [&](double head) { return interpolate(uplift->head, uplift->height, head); };
+    const Table& at = *uplift;
     const double before = (at(5.2) - at(5.0)) / 0.2, after = (at(7.0) - at(6.8)) / 0.2;
     const double onset = (at(6.8) - after * 6.8 - at(5.2) + before * 5.2) / (before - after);
     constexpr double terzaghi = 5.6, exit_gradient = 6.3, margin = 0.08;
@@ -229,7 +226,7 @@ Experiment heave(const Model& model) {
                            onset, 0.5 * (most - least), within ? Verdict::within : Verdict::outside, "",
                            "Terzaghi's prism 5.6 m, critical exit gradient 6.3 m, each ± 8 %"});
     Chart chart{"Uplift of the prism beside the wall", "difference of head", "uplift", "m", "m", {}, {}};
-    chart.curves.push_back(thinned({"computed", uplift->head, uplift->height, false}, 400));
+    chart.curves.push_back(thinned({"computed", uplift->x, uplift->y, false}, 400));
     result.figure = chart;
   };
   return experiment;
