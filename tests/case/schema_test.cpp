@@ -52,8 +52,8 @@ std::vector<Subject> subjects() {
         {"material", "sand"}, {"soil", "bed"},   {"free_water", "pond"}, {"boundary", "floor"},
         {"wall", "screen"},   {"stage", "rest"}, {"monitor", "middle"},  {"strength", "1"},
         {"head_line", "1"},   {"load", "1"},     {"retention", "1"},     {"seepage_boundary", "1"},
-        {"change", "1"},      {"well", "1"},     {"rain", "1"},          {"dike_check", "1"},
-        {"line_load", "1"}};
+        {"change", "1"},      {"well", "1"},     {"rain", "1"},          {"refine", "1"},
+        {"dike_check", "1"},  {"line_load", "1"}};
     if (section->list) entry += "." + (key.name == "name" ? "1" : names.at(key.section));
     list.push_back({key, entry + "." + key.name, {}});
   }

@@ -24,7 +24,8 @@ struct RandomModel {
 class ModelGenerator {
  public:
   /// What came later draws from its own stream, so that the models of a seed keep their ground.
-  explicit ModelGenerator(std::uint64_t seed) : random_(seed), more_(seed ^ 0x9E3779B97F4A7C15ULL) {}
+  explicit ModelGenerator(std::uint64_t seed)
+      : random_(seed), more_(seed ^ 0x9E3779B97F4A7C15ULL), grid_(seed ^ 0xC2B2AE3D27D4EB4FULL) {}
 
   RandomModel make() {
     RandomModel model;
@@ -53,6 +54,7 @@ class ModelGenerator {
         : g.single_point ? "single-point"
                          : "double-point",
         whole(2, 3));
+    if (!g.unsaturated && draw(grid_, 0, 1) < 0.3) model.text += finer(g);
     std::string materials;
     for (int layer = 0; layer < g.layers; ++layer) materials += material(layer, model.at_rest);
     g.end = model.at_rest ? g.length : g.length * between(0.4, 0.8);
@@ -103,6 +105,16 @@ class ModelGenerator {
     double soil = 0, end = 0, toe = 0;        ///< m, its height, and where its surface and its base end
     double water = 0, beside = 0, pond = 0;  ///< m, levels in the soil, where it ends, and of the water on it (0: none)
   };
+
+  /// Cells half or a third as large in a range of the height, whose ends and the model's are lines of the grid.
+  std::string finer(const Ground& g) {
+    const int cells = static_cast<int>(std::lround(g.height / g.cell)), parts = draw(grid_, 0, 1) < 0.5 ? 2 : 3;
+    int from = static_cast<int>(draw(grid_, 0, cells - 4)), to = from + 1 + static_cast<int>(draw(grid_, 0, 2));
+    if (from < 3) from = 0;
+    if (to > cells - 3) to = cells;
+    return fmt::format("[[refine]]\nalong = \"height\"\nspan = [{}, {}]\ncell = {}\ngrowth = {}\n", from * g.cell,
+                       to * g.cell, g.cell / parts, draw(grid_, 1.1, 1.3));
+  }
 
   static double draw(std::mt19937_64& from, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(from);
@@ -210,7 +222,7 @@ class ModelGenerator {
            strength;
   }
 
-  std::mt19937_64 random_, more_;
+  std::mt19937_64 random_, more_, grid_;
 };
 
 // In cells, of models at rest; the most of the first 300 models is 3.7e-4.

@@ -81,16 +81,16 @@ TEST(Projection, LeavesNoDivergenceBeyondTheSolversTolerance) {
       const StepReport report = run.advance();
       const auto& grid = run.state().grid;
       const auto& lattice = run.state().setup.lattice;
-      const double volume = lattice.cell_volume();
       double left = 0, given = 0;
-      over_all_cells(lattice, [&](std::ptrdiff_t cell, const auto&) {
+      over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
         if (!grid.wet[cell]) return;
+        const double volume = lattice.cell_volume(place);
         const double storage = volume / (model.water.bulk_modulus * report.dt) * grid.cell_porosity[cell];
         double sum = storage * (grid.pressure[cell] - before[cell]), size = std::abs(storage * before[cell]);
         for (int a = 0; a < 2; ++a) {
           const auto flux = [&](std::ptrdiff_t f, const FaceField<PlaneStrain>& w, const FaceField<PlaneStrain>& s) {
             const double n = grid.porosity[a][f];
-            return lattice.face_area(a) * (n * w[a][f] + (1 - n) * s[a][f]);
+            return lattice.face_area(a, place) * (n * w[a][f] + (1 - n) * s[a][f]);
           };
           const std::ptrdiff_t high = cell + lattice.stride[a];
           sum +=
@@ -98,7 +98,7 @@ TEST(Projection, LeavesNoDivergenceBeyondTheSolversTolerance) {
           // what the step's forces alone would do in it: gravity over the step, and the velocities before
           size += std::abs(flux(high, grid.water_before, grid.soil_before)) +
                   std::abs(flux(cell, grid.water_before, grid.soil_before)) +
-                  lattice.face_area(a) * model.gravity * report.dt;
+                  lattice.face_area(a, place) * model.gravity * report.dt;
         }
         left += sum * sum;
         given += size * size;

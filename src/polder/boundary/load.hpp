@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "polder/case/grid_sites.hpp"
 #include "polder/case/ground_load.hpp"
 #include "polder/points/point_sets.hpp"
 
@@ -24,20 +25,20 @@ void mark_loaded_points(const Model& model, const Lattice<Space>& lattice, int s
   }
   if (!comes) return;
   std::map<std::pair<long, long>, std::size_t> highest;
-  std::array<double, 3> d{1, 1, 1};
-  for (int a = 0; a < Space::axes; ++a) d[a] = lattice.spacing[a] / model.points_per_axis;
+  const SiteAxis along(lattice.axis[0], model.points_per_axis), across(lattice.axis[1], model.points_per_axis);
   for (std::size_t p = 0; p < soil.size(); ++p) {
-    const std::pair column{static_cast<long>(soil.position[0][p] / d[0]),
-                           Space::axes == 3 ? static_cast<long>(soil.position[1][p] / d[1]) : 0L};
+    const std::pair column{along.site_at(soil.position[0][p]),
+                           Space::axes == 3 ? across.site_at(soil.position[1][p]) : 0L};
     const auto [at, is_new] = highest.try_emplace(column, p);
     if (!is_new && soil.position[Space::up][p] > soil.position[Space::up][at->second]) at->second = p;
   }
   for (std::size_t k = 0; k < model.loads.size(); ++k) {
     if (model.loads[k].from_stage != stage) continue;
     const auto [from, to] = reach_of(model.loads[k], model);
-    const double edge = model.loads[k].speed != 0 ? 0.5 * d[0] : 0;  // a travelling one covers points little by little
     for (const auto& [column, p] : highest) {
-      const double x = (static_cast<double>(column.first) + 0.5) * d[0];
+      const double x = along.middle(column.first);
+      // a travelling one covers points little by little
+      const double edge = model.loads[k].speed != 0 ? 0.5 * along.width(column.first) : 0;
       if (x > from - edge && x < to + edge) soil.load[p] = static_cast<std::uint8_t>(k + 1);
     }
   }

@@ -29,8 +29,7 @@ std::vector<Reservoir<Space>> make_reservoirs(const Model& model, const Lattice<
       for (int i = 0; i < lattice.cells[0]; ++i) {
         const std::array<int, 3> cell{i, static_cast<int>(row % lattice.cells[1]),
                                       static_cast<int>(row / lattice.cells[1])};
-        std::array<double, 3> x{0, 0, 0};
-        for (int a = 0; a < Space::axes; ++a) x[a] = (cell[a] + 0.5) * lattice.spacing[a];
+        const std::array<double, 3> x = lattice.centre(cell);
         if (contains(boundary.region, x[0], Space::axes == 3 ? x[1] : 0, x[Space::up])) reservoir.cells.push_back(cell);
       }
     reservoirs.push_back(std::move(reservoir));

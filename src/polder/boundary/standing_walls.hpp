@@ -36,7 +36,7 @@ ThinWalls<Space> make_thin_walls(const Model& model, const Lattice<Space>& latti
   for (std::size_t w = 0; w < model.walls.size(); ++w) {
     const WallInput& wall = model.walls[w];
     if (!stands[w] || wall.line.empty()) continue;
-    for (const WallFace& face : stepped_wall(wall.line, {lattice.spacing[0], lattice.spacing[Space::up]}).faces)
+    for (const WallFace& face : stepped_wall(wall.line, lattice.axis[0], lattice.axis[Space::up]).faces)
       for (int across = 0; across < (Space::axes == 3 ? lattice.cells[1] : 1); ++across) {
         const std::array<int, 3> cell =
             Space::axes == 3 ? std::array{face.i, across, face.j} : std::array{face.i, face.j, 0};
@@ -55,7 +55,7 @@ std::vector<FrictionFace> friction_faces(const Model& model, const Lattice<Space
   for (std::size_t w = 0; w < model.walls.size(); ++w) {
     const WallInput& wall = model.walls[w];
     if (!stands[w] || wall.line.empty() || wall.rough || wall.friction_angle <= 0) continue;
-    for (const WallFace& face : stepped_wall(wall.line, {lattice.spacing[0], lattice.spacing[Space::up]}).faces)
+    for (const WallFace& face : stepped_wall(wall.line, lattice.axis[0], lattice.axis[Space::up]).faces)
       for (int across = 0; across < (Space::axes == 3 ? lattice.cells[1] : 1); ++across) {
         const int axis = face.upright ? 0 : Space::up;
         const int place = face.upright ? face.i : face.j;

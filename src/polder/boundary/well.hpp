@@ -38,7 +38,7 @@ WellCells well_cells(const Well& well, const Lattice<Space>& lattice) {
   for (int i = 0; i < pieces; ++i) {
     std::array<int, 3> cell{0, 0, 0};
     for (int a = 0; a < Space::axes; ++a)
-      cell[a] = std::clamp(static_cast<int>((from[a] + (i + 0.5) / pieces * d[a]) / lattice.spacing[a]), 0,
+      cell[a] = std::clamp(static_cast<int>(lattice.axis[a].place(from[a] + (i + 0.5) / pieces * d[a])), 0,
                            lattice.cells[a] - 1);
     by_cell[lattice.index(cell[0], cell[1], cell[2])] += found.line ? length / pieces : 1;
   }

@@ -24,7 +24,6 @@ struct Checking {
   int axes() const { return solid() ? 3 : 2; }
   double width() const { return model.size[0]; }
   double height() const { return model.size[static_cast<std::size_t>(axes() - 1)]; }
-  double cell(std::size_t axis) const { return model.cell[axis]; }
   double tolerance() const { return round_off * std::max(width(), height()); }
   /// Size and cell could be read.
   bool has_grid() const {
@@ -33,36 +32,6 @@ struct Checking {
     return true;
   }
 };
-
-void check_grid(const Checking& c) {
-  static constexpr const char* names[2][3] = {{"width", "height", ""}, {"width", "depth", "height"}};
-  const Fields& f = c.sections.model;
-  double cells = 1;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(c.axes()); ++k) {
-    double& size = c.model.size[k];
-    double& cell = c.model.cell[k];
-    const char* name = names[c.solid()][k];
-    const double count = std::round(size / cell);
-    if (count < 1) {
-      report(c.diagnostics, f.place_of("cell"), f.path_of("cell"),
-             fmt::format("there is no cell along the {}: {:g} m are less than half of {:g} m", name, size, cell),
-             "make the cell smaller");
-      continue;
-    }
-    cells *= count;
-    if (std::abs(count * cell - size) <= round_off * size)
-      cell = size / count;
-    else
-      report(c.diagnostics, f.place_of("size"), f.path_of("size"),
-             fmt::format("the {} {:.10g} m is not a multiple of the cell {:.10g} m", name, size, cell),
-             fmt::format("the nearest that fit: {:.10g} m and {:.10g} m, or a cell of {:.10g} m",
-                         std::max(1.0, std::floor(size / cell)) * cell, (std::floor(size / cell) + 1) * cell,
-                         size / count));
-  }
-  if (cells > 1e9)
-    report(c.diagnostics, f.place_of("cell"), f.path_of("cell"), fmt::format("the grid has {:.3g} cells", cells),
-           "no machine of ours holds more than 1e9");
-}
 
 /// The polygon is sound, in the model, and in 3d its span is too. False where it should not be looked at any further.
 bool check_region(const Checking& c, const Region& region, const Fields& f, std::string_view key) {
@@ -163,7 +132,6 @@ void check_bodies(const Checking& c) {
 }
 
 void check_laws(const Checking& c) {
-  const int axes = c.axes();
   for (std::size_t i = 0; i < c.sections.laws.size(); ++i) {
     const LawDescription* law = c.sections.laws[i];
     const Fields& f = c.sections.materials[i];
@@ -173,8 +141,7 @@ void check_laws(const Checking& c) {
       return f.find(p.key) || (!f.is_given(p.key) && !p.required);
     });
     if (!all_read) continue;
-    const LawContext context{*std::min_element(c.model.cell.begin(), c.model.cell.begin() + axes), material.porosity,
-                             material.max_porosity};
+    const LawContext context{smallest_cell(c.model), material.porosity, material.max_porosity};
     for (const Complaint& complaint : law->check(material.law_parameters, context))
       report(c.diagnostics, f.place_of(complaint.key), f.path_of(complaint.key), complaint.message);
   }
@@ -223,15 +190,16 @@ void check_line(const Checking& c, Boundary& boundary, const Fields& f) {
     return;
   }
   const std::size_t axis = vertical ? 0 : 1, grid_axis = axis == 1 && c.solid() ? 2 : axis;
-  const double cell = c.cell(grid_axis), count = std::round(line[0][axis] / cell);
-  if (std::abs(count * cell - line[0][axis]) > round_off * c.model.size[grid_axis]) {
+  const GridAxis grid = polder::grid_axis(c.model, grid_axis);
+  const double edge = grid.edge(grid.nearest_edge(line[0][axis]));
+  if (std::abs(edge - line[0][axis]) > round_off * c.model.size[grid_axis]) {
     report(c.diagnostics, f.place_of("line"), f.path_of("line"),
            fmt::format("{} = {:.10g} m is not on the grid", vertical ? "x" : "height", line[0][axis]),
-           fmt::format("the nearest line of the grid is {:.10g} m", count * cell));
+           fmt::format("the nearest line of the grid is {:.10g} m", edge));
     return;
   }
   for (Point2& p : line) {
-    p[axis] = count * cell;
+    p[axis] = edge;
     if (p[0] < -c.tolerance() || p[0] > c.width() + c.tolerance() || p[1] < -c.tolerance() ||
         p[1] > c.height() + c.tolerance()) {
       report(c.diagnostics, f.place_of("line"), f.path_of("line"),
@@ -375,7 +343,7 @@ void check_monitors(const Checking& c) {
 void check_model(const Sections& sections, Model& model, Diagnostics& diagnostics) {
   const Checking c{sections, model, diagnostics};
   if (c.has_grid()) {
-    check_grid(c);
+    check_grid(sections, model, diagnostics);
     check_bodies(c);
   }
   check_laws(c);

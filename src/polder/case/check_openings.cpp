@@ -42,14 +42,15 @@ void check_span(const Boundary& b, const Fields& f, const Model& model, Diagnost
            fmt::format("the side reaches from 0 to {:.6g} m", length));
     return;
   }
-  const double low = std::round(from / cell), high = std::round(to / cell);
+  const GridAxis axis = grid_axis(model, along);
+  const int low = axis.nearest_edge(from), high = axis.nearest_edge(to);
   if (low >= high)
     report(diagnostics, f.place_of("span"), f.path_of("span"),
            "is narrower than a cell: nothing of the opening is left",
            fmt::format("the grid has cells of {:.6g} m; make the opening wider or the cell smaller", cell));
-  else if (std::max(std::abs(low * cell - from), std::abs(high * cell - to)) > 1e-6 * cell)
+  else if (std::max(std::abs(axis.edge(low) - from), std::abs(axis.edge(high) - to)) > 1e-6 * axis.least())
     warn(diagnostics, f.place_of("span"), f.path_of("span"),
-         fmt::format("is moved to the faces of the grid: {:.6g} m to {:.6g} m", low * cell, high * cell));
+         fmt::format("is moved to the faces of the grid: {:.6g} m to {:.6g} m", axis.edge(low), axis.edge(high)));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ void check_thin_wall(const WallInput& wall, const Fields& f, const Model& model,
   const std::size_t up = model.space == SpaceKind::solid ? 2 : 1;
   const double tolerance = 1e-9 * std::max(model.size[0], model.size[up]);
   if (!check_corners(wall.line, f, "line", model, diagnostics)) return;
-  const SteppedWall stepped = stepped_wall(wall.line, {model.cell[0], model.cell[up]});
+  const SteppedWall stepped = stepped_wall(wall.line, model);
   if (stepped.faces.empty())
     report(diagnostics, f.place_of("line"), f.path_of("line"), "is shorter than half a cell: nothing of it is left",
            fmt::format("the grid has cells of {:.6g} m; make the wall longer or the cell smaller", model.cell[0]));

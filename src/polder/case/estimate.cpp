@@ -10,13 +10,13 @@ namespace polder {
 std::size_t cell_count(const Model& model) {
   std::size_t count = 1;
   const std::size_t axes = model.space == SpaceKind::solid ? 3 : 2;
-  for (std::size_t k = 0; k < axes; ++k) count *= static_cast<std::size_t>(std::llround(model.size[k] / model.cell[k]));
+  for (std::size_t k = 0; k < axes; ++k) count *= static_cast<std::size_t>(grid_axis(model, k).cells());
   return count;
 }
 
 double estimated_step(const Model& model) {
   const std::size_t axes = model.space == SpaceKind::solid ? 3 : 2;
-  const double cell = *std::min_element(model.cell.begin(), model.cell.begin() + axes);
+  const double cell = smallest_cell(model);
   const double height = model.size[axes - 1];
   double step = 0.5 * cell / std::sqrt(2 * std::max(model.gravity, 1e-12) * height);
   for (const SoilBody& soil : model.soils) {

@@ -1,12 +1,15 @@
 #pragma once
 // A case as plain data, SI units, every default filled in: what the parser hands to every other room.
 // Signs: stress positive in tension, water pressure positive in compression, up is +y (plane strain) or +z (3d).
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "polder/case/grid_axis.hpp"
 #include "polder/case/pore_water.hpp"
 #include "polder/material/drag.hpp"
 #include "polder/math/table.hpp"
@@ -202,12 +205,13 @@ struct Model {
   std::string name, title;
   std::string file;  ///< where it was read from
   SpaceKind space = SpaceKind::plane_strain;
-  std::array<double, 3> size{0, 0, 0};  ///< m; x, height (2d) or x, y, height (3d)
-  std::array<double, 3> cell{0, 0, 0};  ///< m, spacing per axis
-  double gravity = 9.81;                ///< m/s²
-  double tilt = 0;                      ///< rad, of gravity from the vertical towards +x
-  bool periodic = false;                ///< what leaves on the right comes in on the left, and the other way
-  int points_per_axis = 2;              ///< soil and water points per cell and axis at the start
+  std::array<double, 3> size{0, 0, 0};          ///< m; x, height (2d) or x, y, height (3d)
+  std::array<double, 3> cell{0, 0, 0};          ///< m, spacing per axis; the largest where there are finer cells
+  std::array<std::vector<FineRange>, 3> finer;  ///< per axis, ascending
+  double gravity = 9.81;                        ///< m/s²
+  double tilt = 0;                              ///< rad, of gravity from the vertical towards +x
+  bool periodic = false;                        ///< what leaves on the right comes in on the left, and the other way
+  int points_per_axis = 2;                      ///< soil and water points per cell and axis at the start
   WaterProperties water;
   std::vector<MaterialInput> materials;
   std::vector<SoilBody> soils;
@@ -235,5 +239,21 @@ struct Model {
   Output output;
   Numerics numerics;
 };
+
+/// How the model's grid divides an axis.
+inline GridAxis grid_axis(const Model& model, std::size_t axis) {
+  if (!(model.size[axis] > 0 && model.cell[axis] > 0)) return {};
+  return model.finer[axis].empty()
+             ? GridAxis(static_cast<int>(std::lround(model.size[axis] / model.cell[axis])), model.cell[axis])
+             : GridAxis(model.size[axis], model.cell[axis], model.finer[axis]);
+}
+
+/// Width of its smallest cell, m.
+inline double smallest_cell(const Model& model) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < (model.space == SpaceKind::solid ? 3 : 2); ++axis)
+    least = std::min(least, grid_axis(model, axis).least());
+  return least;
+}
 
 }  // namespace polder

@@ -215,6 +215,14 @@ Json case_json(const Model& model) {
                    {"formulation", model.unsaturated    ? "unsaturated"
                                    : model.single_point ? "single-point"
                                                         : "double-point"}};
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(axes); ++axis)
+    for (const FineRange& r : model.finer[axis])
+      json["refine"].push_back({{"along", axis == 0                                       ? "x"
+                                          : static_cast<std::ptrdiff_t>(axis) + 1 == axes ? "height"
+                                                                                          : "y"},
+                                {"span", {r.from, r.to}},
+                                {"cell", r.cell},
+                                {"growth", r.growth}});
   json["water"] = {{"density", model.water.density},
                    {"bulk_modulus", model.water.bulk_modulus},
                    {"viscosity", model.water.viscosity},

@@ -18,6 +18,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const std::vector<Section> sections = {
     {"model", false, true, "The space that is computed: its size, its grid, gravity."},
+    {"refine", true, false,
+     "A range of an axis in which the grid's cells are finer; away from it they grow to `model.cell`. Points are "
+     "seeded "
+     "accordingly."},
     {"water", false, false, "Properties of the water. The defaults are fresh water at 20 °C with its true stiffness."},
     {"material", true, false,
      "A soil: its law, its density and porosity, how water flows through it. The parameters of the law stand beside "
@@ -89,7 +93,8 @@ std::vector<Key> make_keys() {
       {"model", "size", "", "list of length", true, "", 1e-3, 1e5, R"(["4 m", "1.5 m"])",
        "Extent of the model from its lower left corner, the origin: [width, height], in 3d [width, depth, height]."},
       {"model", "cell", "h", "list of length", true, "", 1e-5, 1e4, R"("0.1 m")",
-       "Spacing of the grid: one for all axes, or one per axis. The size must be a multiple of it."},
+       "Spacing of the grid: one for all axes, or one per axis. The size must be a multiple of it, unless the axis is "
+       "refined (`[[refine]]`): then it is the largest."},
       {"model", "gravity", "g", "acceleration", false, "9.81 m/s2", 0, 1000, R"("9.81 m/s2")",
        "Acceleration of gravity, downwards; more than 9.81 m/s2 in a centrifuge."},
       {"model", "tilt", "", "angle", false, "0 deg", -std::numbers::pi / 2, std::numbers::pi / 2, R"("20 deg")",
@@ -106,6 +111,16 @@ std::vector<Key> make_keys() {
        "(saturated "
        "soil that drains to its surface; no exchange with free water) or `unsaturated` (pores may hold air: "
        "`[[retention]]`, Bishop's effective stress, conditions by `[[seepage_boundary]]`)."},
+      // ---- refine
+      {"refine", "name", "", "name", false, "", any, infinity, R"("orifice")", "For messages."},
+      {"refine", "along", "", "choice:x|y|height", true, "", any, infinity, R"("x")", "The axis."},
+      {"refine", "span", "", "list of length", true, "", any, infinity, R"(["0.5 m", "1 m"])",
+       "[from, to] of the range; both ends become lines of the grid. (A range whose cell is `model.cell` only pins "
+       "them.)"},
+      {"refine", "cell", "", "length", true, "", 1e-5, 1e4, R"("50 mm")",
+       "Largest cell in the range, where all cells are alike. The time step follows the smallest cell of the grid."},
+      {"refine", "growth", "", "ratio", false, "1.15", 1.02, 1.5, "1.15",
+       "Each cell away from the range is at most this much larger than its neighbour."},
       // ---- water
       {"water", "density", "ρw", "density", false, "1000 kg/m3", 500, 2000, R"("1000 kg/m3")", "Density."},
       {"water", "bulk_modulus", "Kw", "pressure", false, "2.2 GPa", 1e4, 1e11, R"("2.2 GPa")",

@@ -144,6 +144,7 @@ Sections read_sections(const Value& document, Diagnostics& diagnostics) {
       return entries;
     };
     if (section.name == "model") sections.model = one();
+    if (section.name == "refine") sections.refinements = all();
     if (section.name == "water") sections.water = one();
     if (section.name == "initial") sections.initial = one();
     if (section.name == "output") sections.output = one();

@@ -13,7 +13,7 @@ namespace polder::case_file {
 struct Sections {
   Fields model, water, initial, output, numerics, stability, seepage;
   std::vector<Fields> materials, soils, free_water, boundaries, walls, stages, monitors, strengths, head_lines,
-      line_loads, loads, retentions, seepage_boundaries, changes, wells, rains, dike_checks;
+      line_loads, loads, retentions, seepage_boundaries, changes, wells, rains, dike_checks, refinements;
   std::vector<const LawDescription*> laws;  ///< of the materials; nullptr where unknown
 };
 
@@ -46,6 +46,9 @@ void settle_permeability(const Fields& fields, const WaterProperties& water, dou
 /// What no single key can tell: bodies outside the model or on top of each other, a grid that does not fit, names that
 /// nobody has… Snaps sizes and lines to the grid where they are within round-off of it.
 void check_model(const Sections& sections, Model& model, Diagnostics& diagnostics);
+
+/// Sizes that are whole cells; ranges of finer cells, which it takes into the model.
+void check_grid(const Sections& sections, Model& model, Diagnostics& diagnostics);
 
 /// Sides with a head or an inflow: what is missing, and whether the opening fits the side and the grid.
 void check_openings(const Sections& sections, const Model& model, Diagnostics& diagnostics);

@@ -22,12 +22,15 @@ double distance_to_line(const Point2& p, std::span<const Point2> line) {
 
 }  // namespace
 
-SteppedWall stepped_wall(std::span<const Point2> line, const Point2& cell) {
+SteppedWall stepped_wall(std::span<const Point2> line, const Model& model) {
+  return stepped_wall(line, grid_axis(model, 0), grid_axis(model, model.space == SpaceKind::solid ? 2 : 1));
+}
+
+SteppedWall stepped_wall(std::span<const Point2> line, const GridAxis& x, const GridAxis& height) {
   SteppedWall wall;
   std::vector<std::array<int, 2>> vertices;
   for (std::size_t k = 0; k < line.size(); ++k) {
-    const std::array<int, 2> goal{static_cast<int>(std::lround(line[k][0] / cell[0])),
-                                  static_cast<int>(std::lround(line[k][1] / cell[1]))};
+    const std::array<int, 2> goal{x.nearest_edge(line[k][0]), height.nearest_edge(line[k][1])};
     if (vertices.empty()) {
       vertices.push_back(goal);
       continue;
@@ -53,7 +56,7 @@ SteppedWall stepped_wall(std::span<const Point2> line, const Point2& cell) {
                       vertices[v + 1][0] - vertices[v][0] != vertices[v][0] - vertices[v - 1][0] ||
                       vertices[v + 1][1] - vertices[v][1] != vertices[v][1] - vertices[v - 1][1];
     if (!bend) continue;
-    wall.corners.push_back({vertices[v][0] * cell[0], vertices[v][1] * cell[1]});
+    wall.corners.push_back({x.edge(vertices[v][0]), height.edge(vertices[v][1])});
     wall.distance = std::max(wall.distance, distance_to_line(wall.corners.back(), line));
   }
   return wall;

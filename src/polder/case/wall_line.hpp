@@ -24,8 +24,8 @@ struct SteppedWall {
   bool oblique = false;         ///< a part of the line is neither upright nor level
 };
 
-/// Steps from corner to corner of the polyline over the vertices of a grid with spacings `cell` (x, height), as close
-/// to the line as they go.
-SteppedWall stepped_wall(std::span<const Point2> line, const Point2& cell);
+/// Steps from corner to corner of the polyline over the vertices of the grid, as close to the line as they go.
+SteppedWall stepped_wall(std::span<const Point2> line, const GridAxis& x, const GridAxis& height);
+SteppedWall stepped_wall(std::span<const Point2> line, const Model& model);
 
 }  // namespace polder

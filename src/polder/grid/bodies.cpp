@@ -40,7 +40,6 @@ template <class Space>
 Bodies<Space>::Bodies(const Lattice<Space>& lattice, std::vector<BodySection> sections)
     : lattice_(lattice), sections_(std::move(sections)), face_(make_face_field(lattice)), cell_(lattice.make_array()) {
   constexpr int up = Space::up;
-  const Point2 h{lattice.spacing[0], lattice.spacing[up]};
   const std::ptrdiff_t rise = lattice.stride[up];
   near_.assign(cell_.size(), 0);
   toward_open_.assign(cell_.size(), 0);
@@ -54,7 +53,8 @@ Bodies<Space>::Bodies(const Lattice<Space>& lattice, std::vector<BodySection> se
   };
   for (int level = 0; level < lattice.cells[up]; ++level)
     for (int i = 0; i < lattice.cells[0]; ++i) {
-      const Point2 low{i * h[0], level * h[1]}, high{low[0] + h[0], low[1] + h[1]};
+      const Point2 low{lattice.axis[0].edge(i), lattice.axis[up].edge(level)};
+      const Point2 high{low[0] + lattice.axis[0].width(i), low[1] + lattice.axis[up].width(level)};
       const double part = open_part(sections_, low, high).first, open = part < covered_below ? 0 : share(part);
       const double left = share(open_share(low, {low[0], high[1]})), base = share(open_share(low, {high[0], low[1]}));
       for (int k = 0; k < depth; ++k) {

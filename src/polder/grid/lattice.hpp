@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 
+#include "polder/case/grid_axis.hpp"
+#include "polder/grid/graded_spline.hpp"
 #include "polder/math/array.hpp"
 #include "polder/math/space.hpp"
 
@@ -20,16 +22,23 @@ struct Lattice {
   static constexpr int ghost_low = 1, ghost_high = 3;
 
   std::array<int, 3> cells{1, 1, 1};
-  std::array<double, 3> spacing{1, 1, 1};  ///< m
+  std::array<double, 3> spacing{1, 1, 1};  ///< m, width of the smallest cell on each axis: of all where not graded
+  std::array<GridAxis, 3> axis;
+  bool graded = false;                                          ///< on any axis
+  std::array<std::shared_ptr<const GradedSpline>, 3> spline{};  ///< where graded
   std::array<std::ptrdiff_t, 3> stride{1, 0, 0};
   std::ptrdiff_t size = 0;  ///< of an array over cells or faces, ghosts included
 
   Lattice() = default;
-  Lattice(const std::array<int, 3>& n, const std::array<double, 3>& h) {
+  Lattice(const std::array<int, 3>& n, const std::array<double, 3>& h)
+      : Lattice({GridAxis(n[0], h[0]), GridAxis(n[1], h[1]), axes == 3 ? GridAxis(n[2], h[2]) : GridAxis()}) {}
+  explicit Lattice(const std::array<GridAxis, 3>& divided) : axis(divided) {
     for (int a = 0; a < axes; ++a) {
-      cells[a] = n[a];
-      spacing[a] = h[a];
+      cells[a] = axis[a].cells();
+      spacing[a] = axis[a].least();
+      graded = graded || axis[a].graded();
     }
+    for (int a = 0; graded && a < axes; ++a) spline[a] = std::make_shared<const GradedSpline>(axis[a]);
     std::ptrdiff_t extent[3] = {1, 1, 1};
     for (int a = 0; a < axes; ++a) extent[a] = cells[a] + ghost_low + ghost_high;
     extent[0] += extent[0] % 2 == 0;  // an odd row length keeps rows off one another's cache sets
@@ -42,18 +51,44 @@ struct Lattice {
     if constexpr (axes == 3) at += (k + ghost_low) * stride[2];
     return at;
   }
-  /// Place on `axis` of the cell (or face) with this index.
-  int place(std::ptrdiff_t index_, int axis) const {
-    if (axis + 1 < axes) index_ %= stride[axis + 1];
-    return static_cast<int>(index_ / stride[axis]) - ghost_low;
+  /// Place on an axis of the cell (or face) with this index.
+  int place(std::ptrdiff_t index_, int a) const {
+    if (a + 1 < axes) index_ %= stride[a + 1];
+    return static_cast<int>(index_ / stride[a]) - ghost_low;
+  }
+  std::array<int, 3> places(std::ptrdiff_t index_) const {
+    std::array<int, 3> at{0, 0, 0};
+    for (int a = 0; a < axes; ++a) at[a] = place(index_, a);
+    return at;
   }
   double cell_volume() const {
     double v = 1;
     for (int a = 0; a < axes; ++a) v *= spacing[a];
     return v;
   }
-  double face_area(int axis) const { return cell_volume() / spacing[axis]; }
-  double length(int axis) const { return cells[axis] * spacing[axis]; }
+  double face_area(int across) const { return cell_volume() / spacing[across]; }
+  /// Of the cell at this place; of its low face on an axis.
+  double cell_volume(const std::array<int, 3>& at) const {
+    if (!graded) return cell_volume();
+    double v = 1;
+    for (int a = 0; a < axes; ++a) v *= axis[a].width(at[a]);
+    return v;
+  }
+  double face_area(int across, const std::array<int, 3>& at) const {
+    return graded ? cell_volume(at) / axis[across].width(at[across]) : face_area(across);
+  }
+  /// The same, by index.
+  double cell_volume(std::ptrdiff_t index_) const { return graded ? cell_volume(places(index_)) : cell_volume(); }
+  double face_area(int across, std::ptrdiff_t index_) const {
+    return graded ? face_area(across, places(index_)) : face_area(across);
+  }
+  /// Middle of the cell at this place, m.
+  std::array<double, 3> centre(const std::array<int, 3>& at) const {
+    std::array<double, 3> x{0, 0, 0};
+    for (int a = 0; a < axes; ++a) x[a] = axis[a].centre(at[a]);
+    return x;
+  }
+  double length(int a) const { return axis[a].length(); }
   double smallest_spacing() const {
     double h = spacing[0];
     for (int a = 1; a < axes; ++a) h = spacing[a] < h ? spacing[a] : h;
@@ -76,6 +111,36 @@ void over_all_cells(const Lattice<Space>& lattice, Body&& body) {
     for (int i = 0; i < lattice.cells[0]; ++i) body(lattice.index(i, j, k), std::array<int, 3>{i, j, k});
   }
 }
+
+/// body.operator()<graded>(): what loops over many points or cells is compiled for lattices of equal cells and for
+/// graded ones.
+template <class Space, class Body>
+[[gnu::always_inline]] inline void by_spacing(const Lattice<Space>& lattice, Body&& body) {
+  if (lattice.graded)
+    body.template operator()<true>();
+  else
+    body.template operator()<false>();
+}
+
+/// Volumes of the cells of a row along x, by their number in it.
+template <class Space>
+class RowVolume {
+ public:
+  RowVolume(const Lattice<Space>& lattice, const std::array<int, 3>& first) : volume_(lattice.cell_volume(first)) {
+    if (!lattice.axis[0].graded()) return;
+    axis_ = &lattice.axis[0];
+    first_ = first[0];
+    volume_ /= axis_->width(first_);
+  }
+  double operator()(std::ptrdiff_t i) const {
+    return axis_ == nullptr ? volume_ : volume_ * axis_->width(first_ + static_cast<int>(i));
+  }
+
+ private:
+  double volume_;
+  const GridAxis* axis_ = nullptr;
+  int first_ = 0;
+};
 
 /// One array per component of a vector on the faces.
 template <class Space>

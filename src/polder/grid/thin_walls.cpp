@@ -154,15 +154,15 @@ void stop_at_walls(const Lattice<Space>& lattice, const ThinWalls<Space>& walls,
   constexpr int axes = Space::axes;
   Offset cell{0, 0, 0}, goal{0, 0, 0};
   for (int a = 0; a < axes; ++a) {
-    cell[a] = static_cast<int>(from[a] / lattice.spacing[a]);
-    goal[a] = static_cast<int>(to[a] / lattice.spacing[a]);
+    cell[a] = static_cast<int>(lattice.axis[a].place(from[a]));
+    goal[a] = static_cast<int>(lattice.axis[a].place(to[a]));
   }
   while (true) {
     int axis = -1;
     double first = 2;
     for (int a = 0; a < axes; ++a) {
       if (cell[a] == goal[a]) continue;
-      const double plane = (goal[a] > cell[a] ? cell[a] + 1 : cell[a]) * lattice.spacing[a];
+      const double plane = lattice.axis[a].edge(goal[a] > cell[a] ? cell[a] + 1 : cell[a]);
       const double share = (plane - from[a]) / (to[a] - from[a]);
       if (axis < 0 || share < first) axis = a, first = share;
     }
@@ -170,7 +170,7 @@ void stop_at_walls(const Lattice<Space>& lattice, const ThinWalls<Space>& walls,
     const bool up = goal[axis] > cell[axis];
     const std::ptrdiff_t face = lattice.index(cell[0], cell[1], cell[2]) + (up ? lattice.stride[axis] : 0);
     if (walls.blocked(axis, face)) {
-      to[axis] = (up ? cell[axis] + 1 - wall_gap : cell[axis] + wall_gap) * lattice.spacing[axis];
+      to[axis] = lattice.axis[axis].at_place(up ? cell[axis] + 1 - wall_gap : cell[axis] + wall_gap);
       goal[axis] = cell[axis];
     } else {
       cell[axis] += up ? 1 : -1;

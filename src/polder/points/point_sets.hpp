@@ -114,6 +114,13 @@ std::array<double, 3> position_of(const Points& points, std::size_t p) {
   return x;
 }
 
+template <class Space>
+std::array<double, 3> reference_of(const SoilPoints<Space>& soil, std::size_t p) {
+  std::array<double, 3> x{0, 0, 0};
+  for (int a = 0; a < Space::axes; ++a) x[a] = soil.reference[a][p];
+  return x;
+}
+
 /// |v|² of point p, m²/s².
 template <class Points>
 double speed_squared(const Points& points, std::size_t p) {

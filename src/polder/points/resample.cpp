@@ -20,10 +20,18 @@ double bulk_volume(const Lattice<Space>& lattice, const Array& cell_porosity, co
   return water.volume[p] / cell_porosity[lattice.index(cell[0], cell[1], cell[2])];
 }
 
-/// Edges of a point's box in free water, in spacings.
+/// Bulk volume of a point at the start where this one is.
+template <class Space>
+double nominal_of(const Lattice<Space>& lattice, const ResampleRules& rules, const WaterPoints<Space>& water,
+                  std::size_t p) {
+  if (!lattice.graded) return rules.nominal;
+  return rules.nominal * lattice.cell_volume(cell_of(lattice, position_of(water, p))) / lattice.cell_volume();
+}
+
+/// Edges of a point's box in free water, in cells.
 template <class Space>
 std::array<double, 3> edges_of(const Lattice<Space>& lattice, const WaterPoints<Space>& water, std::size_t p) {
-  const double share = water.volume[p] / lattice.cell_volume();
+  const double share = water.volume[p] / lattice.cell_volume(cell_of(lattice, position_of(water, p)));
   const double edge = Space::axes == 2 ? std::sqrt(share) : std::cbrt(share);
   std::array<double, 3> edges{0, 0, 0};
   for (int a = 0; a < Space::axes; ++a) edges[a] = edge * (1 + water.elongation[a][p]);
@@ -41,7 +49,7 @@ bool in_free_water(const Lattice<Space>& lattice, const Array& cell_porosity, co
 template <class Space>
 int overlong_axis(const Lattice<Space>& lattice, const Array& cell_porosity, const ResampleRules& rules,
                   const WaterPoints<Space>& water, std::size_t p) {
-  if (rules.split_edge <= 0 || water.volume[p] < rules.least * rules.nominal) return -1;
+  if (rules.split_edge <= 0 || water.volume[p] < rules.least * nominal_of(lattice, rules, water, p)) return -1;
   if (!in_free_water(lattice, cell_porosity, water, p)) return -1;
   const auto edges = edges_of(lattice, water, p);
   const auto longest = std::max_element(edges.begin(), edges.begin() + Space::axes);
@@ -76,8 +84,9 @@ std::array<double, 3> place_of_half(const Lattice<Space>& lattice, const ThinWal
   for (const double share : {1.0, 0.5, 0.25, 0.125}) {
     std::array<double, 3> to{0, 0, 0};
     for (int a = 0; a < Space::axes; ++a) {
-      const double gap = wall_gap * lattice.spacing[a];
-      to[a] = std::clamp(from[a] + share * shift[a], gap, lattice.length(a) - gap);
+      const GridAxis& axis = lattice.axis[a];
+      to[a] = std::clamp(from[a] + share * shift[a], wall_gap * axis.width(0),
+                         axis.length() - wall_gap * axis.width(axis.cells() - 1));
     }
     if (bodies.any() && bodies.contact({to[0], to[Space::up]}).distance <= 0) continue;
     if (walls.any()) stop_at_walls(lattice, walls, from, to);
@@ -99,14 +108,16 @@ std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosit
   std::vector<Split> stretched;
   for (std::size_t p = 0; p < water.size(); ++p) {
     const int axis = overlong_axis(lattice, cell_porosity, rules, water, p);
-    if (axis >= 0 || bulk_volume(lattice, cell_porosity, water, p) >= rules.split_at * rules.nominal)
+    if (axis >= 0 ||
+        bulk_volume(lattice, cell_porosity, water, p) >= rules.split_at * nominal_of(lattice, rules, water, p))
       stretched.push_back({p, axis});
   }
   std::size_t half = append_points(water, stretched.size());
   for (const auto& [p, axis] : stretched) {
     std::array<double, 3> shift{0, 0, 0};  // m, of the halves
     if (axis >= 0) {
-      shift[axis] = 0.25 * edges_of(lattice, water, p)[axis] * lattice.spacing[axis];
+      shift[axis] = 0.25 * edges_of(lattice, water, p)[axis] *
+                    lattice.axis[axis].width(cell_of(lattice, position_of(water, p))[axis]);
       const double wider = Space::axes == 2 ? std::numbers::sqrt2 : std::cbrt(2.0);
       for (int a = 0; a < Space::axes; ++a)
         water.elongation[a][p] = (1 + water.elongation[a][p]) * (a == axis ? 0.5 : 1) * wider - 1;
@@ -136,10 +147,11 @@ template <class Space>
 void merge_boxes(const Lattice<Space>& lattice, std::size_t keep, std::size_t lose, double share,
                  WaterPoints<Space>& water) {
   const auto one = edges_of(lattice, water, keep), other = edges_of(lattice, water, lose);
+  const auto cell = cell_of(lattice, position_of(water, keep));
   std::array<double, 3> edge{1, 1, 1};
   double product = 1;
   for (int a = 0; a < Space::axes; ++a) {
-    const double apart = (water.position[a][keep] - water.position[a][lose]) / lattice.spacing[a];
+    const double apart = (water.position[a][keep] - water.position[a][lose]) / lattice.axis[a].width(cell[a]);
     edge[a] = std::sqrt((1 - share) * one[a] * one[a] + share * other[a] * other[a] +
                         12 * share * (1 - share) * apart * apart);
     product *= edge[a];
@@ -163,7 +175,8 @@ std::size_t merge_water(const Lattice<Space>& lattice, const Array& cell_porosit
     if (gone.empty()) gone.assign(n, 0);
     std::vector<std::size_t> small;
     for (std::size_t p = first; p < last; ++p)
-      if (bulk_volume(lattice, cell_porosity, water, p) < rules.merge_below * rules.nominal) small.push_back(p);
+      if (bulk_volume(lattice, cell_porosity, water, p) < rules.merge_below * nominal_of(lattice, rules, water, p))
+        small.push_back(p);
     for (std::size_t left = last - first; left > crowd && small.size() > 1; --left) {
       std::size_t a = 0, b = 1;
       double closest = 1e300;
@@ -190,7 +203,8 @@ std::size_t merge_water(const Lattice<Space>& lattice, const Array& cell_porosit
       gone[lose] = 1;
       ++merged;
       small.erase(small.begin() + static_cast<std::ptrdiff_t>(b));
-      if (bulk_volume(lattice, cell_porosity, water, keep) >= rules.merge_below * rules.nominal)
+      if (bulk_volume(lattice, cell_porosity, water, keep) >=
+          rules.merge_below * nominal_of(lattice, rules, water, keep))
         small.erase(small.begin() + static_cast<std::ptrdiff_t>(a));
     }
   }

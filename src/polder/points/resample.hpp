@@ -8,7 +8,7 @@
 namespace polder {
 
 struct ResampleRules {
-  double nominal = 0;        ///< m³, bulk volume of a point at the start
+  double nominal = 0;        ///< m³, bulk volume of a point at the start in the smallest cells
   int points_per_cell = 4;   ///< at the start
   double split_at = 1.6;     ///< × nominal bulk volume
   double split_edge = 0;     ///< cells, of the box of a point in free water that stretches with the flow; 0: none does

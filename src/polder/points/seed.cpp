@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "polder/case/geometry.hpp"
+#include "polder/case/grid_sites.hpp"
 #include "polder/grid/bodies.hpp"
 #include "polder/math/random.hpp"
 
@@ -14,18 +15,21 @@ namespace {
 constexpr double least_cell = 0.1;   // as in grid/bodies.cpp: such cells count as covered
 constexpr double least_site = 1e-4;  // open share of a site below which it gets no point
 
-/// body(site number, position (x, y, height), soil body or −1, is free water, is below the water table, open share)
-/// over the lattice of sites. A site that a rigid body covers in part has its point in the middle of the rest.
+struct Site {
+  std::uint64_t number;
+  std::array<double, 3> x, width;  // m
+  int soil;                        // body, or −1
+  bool free, below;                // is free water; is below the water table
+  double open;                     // share that no rigid body covers
+};
+
+/// body(site) over all sites in which there is something. A site that a rigid body covers in part has its point in the
+/// middle of the rest.
 template <class Space, class Body>
-void over_sites(const Model& model, const std::array<int, 3>& cells, const std::array<double, 3>& spacing,
-                Body&& body) {
+void over_sites(const Model& model, const std::array<GridAxis, 3>& grid, Body&& body) {
   constexpr int axes = Space::axes;
-  std::array<int, 3> sites{1, 1, 1};
-  std::array<double, 3> d{0, 0, 0};
-  for (int a = 0; a < axes; ++a) {
-    sites[a] = cells[a] * model.points_per_axis;
-    d[a] = spacing[a] / model.points_per_axis;
-  }
+  std::array<SiteAxis, 3> sites;
+  for (int a = 0; a < axes; ++a) sites[a] = SiteAxis(grid[a], model.points_per_axis);
   std::vector<BodySection> bodies;
   for (const WallInput& wall : model.walls)
     if (!wall.polygon.empty()) bodies.push_back({wall.polygon});
@@ -33,23 +37,25 @@ void over_sites(const Model& model, const std::array<int, 3>& cells, const std::
     Point2 low{}, high{};
     for (std::size_t part = 0; part < 2; ++part) {
       const std::size_t axis = part == 0 ? 0 : Space::up;
-      const int cell = site[axis] / model.points_per_axis;
-      low[part] = cell * spacing[axis];
-      high[part] = low[part] + spacing[axis];
+      const int cell = sites[axis].cell(site[axis]);
+      low[part] = grid[axis].edge(cell);
+      high[part] = low[part] + grid[axis].width(cell);
     }
     return open_part(bodies, low, high).first < least_cell;
   };
   std::uint64_t number = 0;
-  for (int k = 0; k < sites[2]; ++k)
-    for (int j = 0; j < sites[1]; ++j)
-      for (int i = 0; i < sites[0]; ++i, ++number) {
-        std::array<double, 3> x{(i + 0.5) * d[0], (j + 0.5) * d[1], axes == 3 ? (k + 0.5) * d[2] : 0};
+  for (int k = 0; k < sites[2].count(); ++k)
+    for (int j = 0; j < sites[1].count(); ++j)
+      for (int i = 0; i < sites[0].count(); ++i, ++number) {
+        const std::array<int, 3> site{i, j, k};
+        std::array<double, 3> x{0, 0, 0}, d{0, 0, 0};
+        for (int a = 0; a < axes; ++a) x[a] = sites[a].middle(site[a]), d[a] = sites[a].width(site[a]);
         double open = 1;
         if (!bodies.empty()) {
           const Point2 half{0.5 * d[0], 0.5 * d[Space::up]};
           const auto [share, centre] =
               open_part(bodies, {x[0] - half[0], x[Space::up] - half[1]}, {x[0] + half[0], x[Space::up] + half[1]});
-          if (share < least_site || covered(std::array{i, j, k})) continue;
+          if (share < least_site || covered(site)) continue;
           open = share;
           if (open < 1) x[0] = centre[0], x[Space::up] = centre[1];
         }
@@ -61,7 +67,7 @@ void over_sites(const Model& model, const std::array<int, 3>& cells, const std::
                             return contains(w.region, x[0], across, height);
                           });
         const bool below = !model.water_table.empty() && height < height_at(model.water_table, x[0]);
-        if (soil >= 0 || free) body(number, x, soil, free, below, open);
+        if (soil >= 0 || free) body(Site{number, x, d, soil, free, below, open});
       }
 }
 
@@ -70,57 +76,57 @@ void over_sites(const Model& model, const std::array<int, 3>& cells, const std::
 template <class Space>
 SeededPoints<Space> seed_points(const Model& model, const Lattice<Space>& lattice) {
   constexpr int axes = Space::axes;
-  double volume = lattice.cell_volume();
+  double volume = lattice.cell_volume();  // of a site, where not graded
   for (int a = 0; a < axes; ++a) volume /= model.points_per_axis;
 
   SeededPoints<Space> points;
-  const auto place = [&](auto& set, std::size_t p, std::uint64_t site, const std::array<double, 3>& x, int phase) {
+  const auto place = [&](auto& set, std::size_t p, const Site& site, int phase) {
     set.id[p] = p;
     for (int a = 0; a < axes; ++a) {
-      const double d = lattice.spacing[a] / model.points_per_axis;
-      const double shift = model.numerics.jitter * d * (2 * uniform(model.numerics.seed, site, 3 * phase + a) - 1);
+      const double shift =
+          model.numerics.jitter * site.width[a] * (2 * uniform(model.numerics.seed, site.number, 3 * phase + a) - 1);
       set.position[a][p] =
-          std::clamp(x[a] + shift, 1e-6 * lattice.spacing[a], lattice.length(a) - 1e-6 * lattice.spacing[a]);
+          std::clamp(site.x[a] + shift, 1e-6 * lattice.spacing[a], lattice.length(a) - 1e-6 * lattice.spacing[a]);
     }
   };
-  over_sites<Space>(
-      model, lattice.cells, lattice.spacing,
-      [&](std::uint64_t site, const std::array<double, 3>& x, int soil, bool free, bool below, double open) {
-        double porosity = 1;
-        if (soil >= 0) {
-          const int material = model.soils[soil].material;
-          const MaterialInput& input = model.materials[material];
-          porosity = input.porosity;
-          const std::size_t p = append_points(points.soil, 1);
-          place(points.soil, p, site, x, 0);
-          points.soil.mass[p] = (1 - porosity) * input.grain_density * volume * open;
-          points.soil.porosity[p] = porosity;
-          points.soil.material[p] = static_cast<std::uint8_t>(material);
-          points.soil.saturated[p] = model.single_point && below;
-        }
-        if (free || (soil >= 0 && below && !model.single_point)) {
-          const std::size_t p = append_points(points.water, 1);
-          place(points.water, p, site, x, 1);
-          points.water.volume[p] = porosity * volume * open;
-        }
-      });
+  over_sites<Space>(model, lattice.axis, [&](const Site& site) {
+    if (lattice.graded) {
+      volume = 1;
+      for (int a = 0; a < axes; ++a) volume *= site.width[a];
+    }
+    double porosity = 1;
+    if (site.soil >= 0) {
+      const int material = model.soils[site.soil].material;
+      const MaterialInput& input = model.materials[material];
+      porosity = input.porosity;
+      const std::size_t p = append_points(points.soil, 1);
+      place(points.soil, p, site, 0);
+      points.soil.mass[p] = (1 - porosity) * input.grain_density * volume * site.open;
+      points.soil.porosity[p] = porosity;
+      points.soil.material[p] = static_cast<std::uint8_t>(material);
+      points.soil.saturated[p] = model.single_point && site.below;
+    }
+    if (site.free || (site.soil >= 0 && site.below && !model.single_point)) {
+      const std::size_t p = append_points(points.water, 1);
+      place(points.water, p, site, 1);
+      points.water.volume[p] = porosity * volume * site.open;
+    }
+  });
   for (int a = 0; a < axes; ++a) points.soil.reference[a] = points.soil.position[a];
   return points;
 }
 
 PointCount count_points(const Model& model) {
   PointCount count;
-  std::array<int, 3> cells{1, 1, 1};
-  const int axes = model.space == SpaceKind::solid ? 3 : 2;
-  for (int a = 0; a < axes; ++a) cells[a] = static_cast<int>(std::lround(model.size[a] / model.cell[a]));
-  const auto add = [&](std::uint64_t, const std::array<double, 3>&, int soil, bool free, bool below, double) {
-    count.soil += soil >= 0;
-    count.water += free || (soil >= 0 && below && !model.single_point);
+  const auto add = [&](const Site& site) {
+    count.soil += site.soil >= 0;
+    count.water += site.free || (site.soil >= 0 && site.below && !model.single_point);
   };
-  if (axes == 3)
-    over_sites<Solid>(model, cells, model.cell, add);
+  const std::array<GridAxis, 3> grid{grid_axis(model, 0), grid_axis(model, 1), grid_axis(model, 2)};
+  if (model.space == SpaceKind::solid)
+    over_sites<Solid>(model, grid, add);
   else
-    over_sites<PlaneStrain>(model, cells, model.cell, add);
+    over_sites<PlaneStrain>(model, grid, add);
   return count;
 }
 

@@ -37,7 +37,7 @@ template <class Space>
 std::array<int, 3> cell_of(const Lattice<Space>& lattice, const std::array<double, 3>& x) {
   std::array<int, 3> cell{0, 0, 0};
   for (int a = 0; a < Space::axes; ++a)
-    cell[a] = static_cast<int>(std::min(std::max(0.0, x[a] / lattice.spacing[a]), lattice.cells[a] - 1.0));
+    cell[a] = static_cast<int>(std::min(std::max(0.0, lattice.axis[a].place(x[a])), lattice.cells[a] - 1.0));
   return cell;
 }
 

@@ -52,7 +52,7 @@ std::vector<Line2> surface_lines(const Simulation<PlaneStrain>& run) {
     open = true;
     const std::ptrdiff_t cell = lattice.index(i, j);
     const double fill = std::min(1.0, grid.fill[cell]) + std::min(0.5, grid.fill[cell + lattice.stride[1]]);
-    lines.back().push_back({(i + 0.5) * lattice.spacing[0], (j + std::min(1.5, fill)) * lattice.spacing[1]});
+    lines.back().push_back({lattice.axis[0].centre(i), lattice.axis[1].at_place(j + std::min(1.5, fill))});
   }
   return lines;
 }
@@ -81,8 +81,7 @@ Frame frame_of(const Simulation<Space>& run) {
       outline.push_back(outline.front());
       frame.walls.push_back(std::move(outline));
     } else if (stands[w])
-      frame.walls.push_back(
-          stepped_wall(run.model().walls[w].line, {run.model().cell[0], run.model().cell[Space::up]}).corners);
+      frame.walls.push_back(stepped_wall(run.model().walls[w].line, run.model()).corners);
   if constexpr (Space::axes == 2) frame.water_lines = surface_lines(run);
 
   std::vector<double> pressure;

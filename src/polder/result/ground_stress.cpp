@@ -28,12 +28,14 @@ double total_vertical_stress(const Simulation<Space>& run, const std::array<doub
   const auto& state = run.state();
   const auto& soil = state.soil;
   const auto& lattice = state.setup.lattice;
-  const auto& h = lattice.spacing;
+  const auto here = cell_of(lattice, place);
+  std::array<double, 3> h{1, 1, 1};
+  for (int a = 0; a < Space::axes; ++a) h[a] = lattice.axis[a].width(here[a]);
   // of the cell, which is what acts on its soil; between the cells' centres heads bend where the soil changes
   const auto cell_pressure = [&](const std::array<double, 3>& x) {
     const auto cell = cell_of(lattice, x);
     return state.grid.pressure[lattice.index(cell[0], cell[1], cell[2])] +
-           state.setup.water.density * state.setup.gravity * ((cell[up] + 0.5) * h[up] - x[up]);
+           state.setup.water.density * state.setup.gravity * (lattice.axis[up].centre(cell[up]) - x[up]);
   };
   double volume = 0, stress = 0;
   for (std::size_t p = 0; p < soil.size(); ++p) {
@@ -61,16 +63,17 @@ double uplift_length(const Simulation<Space>& run, const Point3& from, const Poi
   std::vector<double> volume(static_cast<std::size_t>(lattice.cells[0]), 0.0), stress = volume;
   for (std::size_t p = 0; p < soil.size(); ++p) {
     const double above = soil.reference[up][p] - level;  // the row that lay on the line at the start
-    if (above <= 0 || above >= lattice.spacing[up]) continue;
-    const auto column = static_cast<std::size_t>(soil.position[0][p] / lattice.spacing[0]);
+    if (above <= 0 || above >= lattice.axis[up].width(lattice.axis[up].nearest_edge(level))) continue;
+    const auto column = static_cast<std::size_t>(cell_of(lattice, position_of(soil, p))[0]);
     const double v = bulk_volume(run.state().setup, soil, p);
     volume[column] += v;
     stress[column] -= v * soil.stress[up][p];
   }
   double length = 0;
   for (std::size_t i = 0; i < volume.size(); ++i) {
-    const double x = (static_cast<double>(i) + 0.5) * lattice.spacing[0];
-    if (x > low && x < high && volume[i] > 0 && stress[i] < lifted_below * volume[i]) length += lattice.spacing[0];
+    const double x = lattice.axis[0].centre(static_cast<int>(i));
+    if (x > low && x < high && volume[i] > 0 && stress[i] < lifted_below * volume[i])
+      length += lattice.axis[0].width(static_cast<int>(i));
   }
   return length;
 }

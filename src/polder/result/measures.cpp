@@ -17,8 +17,10 @@ std::size_t columns_of(const Lattice<Space>& lattice) {
 
 /// Horizontal area of a column of cells, m² (its width in plane strain).
 template <class Space>
-double column_area(const Lattice<Space>& lattice) {
-  return lattice.spacing[0] * (Space::axes == 3 ? lattice.spacing[1] : 1);
+double column_area(const Lattice<Space>& lattice, std::size_t column) {
+  const auto along = static_cast<std::size_t>(lattice.cells[0]);
+  return lattice.axis[0].width(static_cast<int>(column % along)) *
+         (Space::axes == 3 ? lattice.axis[1].width(static_cast<int>(column / along)) : 1);
 }
 
 template <class Space>
@@ -31,7 +33,7 @@ std::array<double, 3> place_of(const std::array<Array, Space::axes>& position, s
 /// Where a profile along x, column by column, last falls below half a cell.
 template <class Space>
 double front_of(const Lattice<Space>& lattice, const std::vector<double>& height) {
-  const double h = lattice.spacing[0], level = 0.5 * lattice.spacing[Space::up];
+  const double level = 0.5 * lattice.spacing[Space::up];
   const auto along = static_cast<std::size_t>(lattice.cells[0]);
   double front = 0;
   for (std::size_t row = 0; row < height.size(); row += along)
@@ -40,7 +42,7 @@ double front_of(const Lattice<Space>& lattice, const std::vector<double>& height
       if (here < level) continue;
       const double next = i + 1 < along ? height[row + i + 1] : here;
       const double share = next < level ? (here - level) / (here - next) : 0.5;
-      front = std::max(front, (static_cast<double>(i) + 0.5 + share) * h);
+      front = std::max(front, lattice.axis[0].at_place(static_cast<double>(i) + 0.5 + share));
       break;
     }
   return front;
@@ -63,7 +65,7 @@ double water_surface(const Simulation<Space>& run, const Point3& place) {
     const int deep = std::min(level, 4);
     double filled = grid.fill[c + s];
     for (int d = 0; d <= deep; ++d) filled += grid.fill[c - d * s];
-    return (level - deep + filled) * lattice.spacing[Space::up];
+    return lattice.axis[Space::up].at_place(level - deep + filled);
   }
   return 0;
 }
@@ -72,15 +74,17 @@ template <class Space>
 double soil_surface(const Simulation<Space>& run, const Point3& place) {
   const auto& lattice = run.state().setup.lattice;
   const auto& soil = run.state().soil;
+  const auto cell = cell_of(lattice, {place[0], place[1], place[2]});
   double top = 0;
   for (std::size_t p = 0; p < soil.size(); ++p) {
     bool over = !soil.fluid[p];
     for (int a = 0; a < Space::axes; ++a)
-      if (a != Space::up) over = over && std::abs(soil.position[a][p] - place[a]) < 0.5 * lattice.spacing[a];
+      if (a != Space::up)
+        over = over && std::abs(soil.position[a][p] - place[a]) < 0.5 * lattice.axis[a].width(cell[a]);
     if (!over) continue;
     double volume = soil.mass[p] / run.state().setup.materials[soil.material[p]].grain_density / (1 - soil.porosity[p]);
     for (int a = 0; a < Space::axes; ++a)
-      volume /= a == Space::up ? 1 : lattice.spacing[a] / run.model().points_per_axis;
+      volume /= a == Space::up ? 1 : lattice.axis[a].width(cell[a]) / run.model().points_per_axis;
     top = std::max(top, soil.position[Space::up][p] + 0.5 * volume);
   }
   return top;
@@ -91,14 +95,14 @@ std::vector<double> soil_columns(const Simulation<Space>& run, const Region& reg
   const auto& lattice = run.state().setup.lattice;
   const auto& soil = run.state().soil;
   std::vector<double> height(columns_of(lattice), 0.0);
-  const double area = column_area(lattice);
   for (std::size_t p = 0; p < soil.size(); ++p) {
     const auto x = place_of<Space>(at_start ? soil.reference : soil.position, p);
     if ((!at_start && soil.fluid[p]) || !inside<Space>(region, x)) continue;
     const auto cell = cell_of(lattice, x);
     const SoilMaterial& material = run.state().setup.materials[soil.material[p]];
     const std::size_t column = cell[0] + (Space::axes == 3 ? static_cast<std::size_t>(cell[1]) * lattice.cells[0] : 0);
-    height[column] += soil.mass[p] / material.grain_density / (1 - material.initial_porosity) / area;
+    height[column] +=
+        soil.mass[p] / material.grain_density / (1 - material.initial_porosity) / column_area(lattice, column);
   }
   return height;
 }
@@ -107,8 +111,9 @@ template <class Space>
 double eroded_area(const Simulation<Space>& run, const Region& region, const std::vector<double>& before) {
   const std::vector<double> now = soil_columns(run, region, false);
   double lost = 0;
-  for (std::size_t i = 0; i < now.size(); ++i) lost += std::max(0.0, before[i] - now[i]);
-  return lost * column_area(run.state().setup.lattice);
+  for (std::size_t i = 0; i < now.size(); ++i)
+    lost += std::max(0.0, before[i] - now[i]) * column_area(run.state().setup.lattice, i);
+  return lost;
 }
 
 template <class Space>
@@ -120,7 +125,7 @@ double water_front(const Simulation<Space>& run) {
     for (std::size_t column = 0; column < depth.size(); ++column) {
       const int i = static_cast<int>(column) % lattice.cells[0], j = static_cast<int>(column) / lattice.cells[0];
       const std::ptrdiff_t cell = Space::axes == 3 ? lattice.index(i, j, level) : lattice.index(i, level);
-      depth[column] += grid.fill[cell] * lattice.spacing[Space::up];
+      depth[column] += grid.fill[cell] * lattice.axis[Space::up].width(level);
     }
   return front_of(lattice, depth);
 }
@@ -148,9 +153,11 @@ double excess_pressure(const Simulation<Space>& run, const Point3& place) {
   std::array<double, 3> share{0, 0, 0};
   for (int a = 0; a < Space::axes; ++a) {
     const double at =
-        std::clamp(place[a] / lattice.spacing[a] - 0.5, 0.0, static_cast<double>(lattice.cells[a] - 1) - 1e-9);
+        std::clamp(lattice.axis[a].place(place[a]) - 0.5, 0.0, static_cast<double>(lattice.cells[a] - 1) - 1e-9);
     low[a] = static_cast<int>(at);
     share[a] = at - low[a];
+    if (lattice.graded)
+      share[a] = std::clamp((place[a] - lattice.axis[a].centre(low[a])) / lattice.axis[a].gap(low[a] + 1), 0.0, 1.0);
   }
   const double weight = run.state().setup.water.density * run.state().setup.gravity;
   const auto at_rest = [&](double x, double height) {
@@ -168,8 +175,8 @@ double excess_pressure(const Simulation<Space>& run, const Point3& place) {
     }
     const std::ptrdiff_t c = lattice.index(cell[0], cell[1], cell[2]);
     if (!grid.wet[c]) continue;
-    const double x = (cell[0] + 0.5) * lattice.spacing[0];
-    sum += part * (grid.pressure[c] - at_rest(x, (cell[Space::up] + 0.5) * lattice.spacing[Space::up]));
+    const auto x = lattice.centre(cell);
+    sum += part * (grid.pressure[c] - at_rest(x[0], x[Space::up]));
     total += part;
   }
   return total > 0 ? sum / total : 0;

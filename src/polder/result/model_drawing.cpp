@@ -26,10 +26,14 @@ void draw_cells(Drawing& drawing, const Panel& panel, const Model& model, std::s
   const double least = std::min(model.cell[0], model.cell[up]) * panel.scale();
   if (least < 3) return;  // a grey veil would tell nothing
   const Stroke stroke{rgb(0x20303c, least < 8 ? 0.07 : 0.12), 0.6, {}};
-  for (int i = 0; i * model.cell[0] <= model.size[0] * (1 + 1e-9); ++i)
-    drawing.line(panel.at(i * model.cell[0], 0), panel.at(i * model.cell[0], model.size[up]), stroke);
-  for (int j = 0; j * model.cell[up] <= model.size[up] * (1 + 1e-9); ++j)
-    drawing.line(panel.at(0, j * model.cell[up]), panel.at(model.size[0], j * model.cell[up]), stroke);
+  const auto lines = [&](std::size_t axis, auto&& from, auto&& to) {
+    const GridAxis grid = grid_axis(model, axis);
+    for (int i = 0; i <= grid.cells(); ++i) drawing.line(from(grid.edge(i)), to(grid.edge(i)), stroke);
+  };
+  lines(
+      0, [&](double x) { return panel.at(x, 0); }, [&](double x) { return panel.at(x, model.size[up]); });
+  lines(
+      up, [&](double y) { return panel.at(0, y); }, [&](double y) { return panel.at(model.size[0], y); });
 }
 
 void draw_water_level(Drawing& drawing, const Panel& panel, const Region& region) {
@@ -82,7 +86,7 @@ void draw_wells(Drawing& drawing, const Panel& panel, const Model& model, std::s
   }
 }
 
-void draw_walls(Drawing& drawing, const Panel& panel, const Model& model, std::size_t up) {
+void draw_walls(Drawing& drawing, const Panel& panel, const Model& model) {
   for (const WallInput& wall : model.walls) {
     if (!wall.polygon.empty()) {
       drawing.add(region_path(panel, {wall.polygon, {}}, rgb(0xb9bec4), Stroke{ink::wall, 1.6, {}}));
@@ -90,8 +94,7 @@ void draw_walls(Drawing& drawing, const Panel& panel, const Model& model, std::s
     }
     Path path{{}, false, {}, Stroke{ink::wall, 3, {}}};
     if (is_gate(wall)) path.stroke->dash = {7, 3};
-    for (const Point2& p : stepped_wall(wall.line, {model.cell[0], model.cell[up]}).corners)
-      path.points.push_back(panel.at(p));
+    for (const Point2& p : stepped_wall(wall.line, model).corners) path.points.push_back(panel.at(p));
     drawing.add(path);
   }
 }
@@ -105,7 +108,9 @@ std::string subtitle(const Model& model, std::size_t up) {
     cell = number_text(model.cell[0]) + (solid ? " × " + number_text(model.cell[1]) : "") + " × " +
            number_text(model.cell[up]) + " m";
   }
-  const auto count = [&](std::size_t axis) { return std::lround(model.size[axis] / model.cell[axis]); };
+  const auto count = [&](std::size_t axis) { return grid_axis(model, axis).cells(); };
+  if (smallest_cell(model) < *std::min_element(model.cell.begin(), model.cell.begin() + static_cast<int>(up) + 1))
+    cell += fmt::format(", down to {}", length(smallest_cell(model)));
   return fmt::format("{}, {} × {}{}; cells of {} ({} × {}{})", solid ? "3d" : "plane strain", length(model.size[0]),
                      solid ? length(model.size[1]) + " × " : "", length(model.size[up]), cell, count(0),
                      solid ? fmt::format("{} × ", count(1)) : "", count(up));
@@ -262,7 +267,7 @@ Drawing draw_model(const Model& model, const ModelStyle& style) {
     draw_loads(drawing, panel, model);
   }
   draw_changes(drawing, panel, model);
-  draw_walls(drawing, panel, model, up);
+  draw_walls(drawing, panel, model);
   draw_wells(drawing, panel, model, up);
   draw_monitors(drawing, panel, model, up);
 

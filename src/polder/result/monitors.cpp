@@ -47,13 +47,6 @@ std::size_t nearest(const std::array<Array, N>& position, const AlignedVector<st
   return best;
 }
 
-template <class Space>
-std::array<double, 3> reference(const SoilPoints<Space>& soil, std::size_t p) {
-  std::array<double, 3> x{0, 0, 0};
-  for (int a = 0; a < Space::axes; ++a) x[a] = soil.reference[a][p];
-  return x;
-}
-
 /// Discharge m³/s (per metre) or mean pressure through the section, a line snapped to the nearest faces.
 template <class Space>
 double section(const Simulation<Space>& run, const Monitor& monitor) {
@@ -64,13 +57,13 @@ double section(const Simulation<Space>& run, const Monitor& monitor) {
   const int up = Space::up;
   const bool upright = std::abs(from[0] - to[0]) <= std::abs(from[up] - to[up]);
   const int axis = upright ? 0 : up, along = upright ? up : 0;
-  const int face = static_cast<int>(std::lround(0.5 * (from[axis] + to[axis]) / lattice.spacing[axis]));
+  const int face = lattice.axis[axis].nearest_edge(0.5 * (from[axis] + to[axis]));
   const double low = std::min(from[along], to[along]), high = std::max(from[along], to[along]);
   double flux = 0, pressure = 0;
   int wet = 0;
   for (int k = 0; k < (Space::axes == 3 ? lattice.cells[1] : 1); ++k)
     for (int s = 0; s < lattice.cells[along]; ++s) {
-      const double middle = (s + 0.5) * lattice.spacing[along];
+      const double middle = lattice.axis[along].centre(s);
       if (middle < low || middle > high) continue;
       std::array<int, 3> place{0, 0, 0};
       place[axis] = face;
@@ -78,7 +71,7 @@ double section(const Simulation<Space>& run, const Monitor& monitor) {
       if (Space::axes == 3) place[1] = k;
       const std::ptrdiff_t f = lattice.index(place[0], place[1], place[2]), before = f - lattice.stride[axis];
       if (run.state().unsaturated) {
-        flux += grid.discharge[axis][f] * lattice.face_area(axis);
+        flux += grid.discharge[axis][f] * lattice.face_area(axis, place);
         pressure += 0.5 * (grid.pressure[f] + grid.pressure[before]);
         ++wet;
         continue;
@@ -87,7 +80,7 @@ double section(const Simulation<Space>& run, const Monitor& monitor) {
       const double n = grid.porosity[axis][f];
       flux += run.state().setup.bodies.open_face(axis, f) * n *
               std::min(1.0, 0.5 * (grid.fill[f] + grid.fill[before])) * grid.water_velocity[axis][f] *
-              lattice.face_area(axis);
+              lattice.face_area(axis, place);
       pressure += 0.5 * (grid.pressure[f] + grid.pressure[before]);
       ++wet;
     }
@@ -201,7 +194,7 @@ Monitors<Space>::Monitors(const Simulation<Space>& run, const std::vector<std::u
       if (monitor.quantity == "eroded-area") before_.back() = soil_columns(run, monitor.region, true);
       if (monitor.quantity == "settlement") {
         for (std::size_t p = 0; p < soil.size(); ++p)
-          if (soil.id[p] < placed && inside<Space>(monitor.region, reference(soil, p)))
+          if (soil.id[p] < placed && inside<Space>(monitor.region, reference_of(soil, p)))
             members_.back().push_back(soil.id[p]);
         std::sort(members_.back().begin(), members_.back().end());
       }

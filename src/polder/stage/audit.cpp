@@ -38,17 +38,16 @@ Audit<Space>::Audit(const Model& model, const Stepper<Space>& state) {
   solid_at_start_ = sum_by_id(state.soil.id, state.soil.mass);
   water_at_start_ = stored_water(state);
   const auto& lattice = state.setup.lattice;
-  spacing_ = lattice.spacing;
   if (state.setup.single_point) return;  // no points of water to compare a flux with
   if (state.setup.periodic) return;      // no section that water passes once
   for (const auto& boundary : model.boundaries) {
     if (boundary.side || boundary.line.size() != 2 || boundary.water != WaterCondition::open) continue;
     const bool upright = std::abs(boundary.line[0][0] - boundary.line[1][0]) < 1e-9 * lattice.length(0);
     const int axis = upright ? 0 : Space::up;
-    sections_.push_back(
-        {axis, static_cast<int>(std::lround(boundary.line[0][upright ? 0 : 1] / lattice.spacing[axis])), 0});
+    const int face = lattice.axis[axis].nearest_edge(boundary.line[0][upright ? 0 : 1]);
+    sections_.push_back({axis, face, lattice.axis[axis].edge(face)});
   }
-  if (sections_.empty()) sections_.push_back({0, lattice.cells[0] / 2, 0});
+  if (sections_.empty()) sections_.push_back({0, lattice.cells[0] / 2, lattice.axis[0].edge(lattice.cells[0] / 2)});
 }
 
 /// Water in the cells past the section, as the points' boxes fill them at the start of the last step.
@@ -69,7 +68,6 @@ template <class Space>
 void Audit<Space>::take(const Stepper<Space>& state, double dt) {
   const auto& lattice = state.setup.lattice;
   const auto& grid = state.grid;
-  const double full_of_water = state.setup.water.density * lattice.cell_volume();
   ++steps;
   for (auto& section : sections_) {
     const double beyond = water_beyond(state, section);
@@ -86,13 +84,15 @@ void Audit<Space>::take(const Stepper<Space>& state, double dt) {
           const std::ptrdiff_t f = section.axis == 0 ? lattice.index(section.face, j, k) : lattice.index(i, j, k);
           // between cells the projection balances n v_w; where none is wet, water flies with the mass it has
           const bool balanced = grid.reached[section.axis][f];
+          const double full_of_water = state.setup.water.density * lattice.cell_volume(f);
           const double fill = 0.5 * (grid.fill[f] + grid.fill[f - lattice.stride[section.axis]]);
           const double area = balanced ? grid.porosity[section.axis][f] * std::min(1.0, fill)
                                        : grid.water_mass[section.axis][f] / full_of_water;
-          flux += area * state.setup.bodies.open_face(section.axis, f) * grid.water_velocity[section.axis][f];
+          flux += area * state.setup.bodies.open_face(section.axis, f) * grid.water_velocity[section.axis][f] *
+                  lattice.face_area(section.axis, f);
           if (section.axis == 0) break;
         }
-    section.passed += flux * lattice.face_area(section.axis) * dt;
+    section.passed += flux * dt;
     section.most = std::max(section.most, std::abs(section.passed));
   }
 
@@ -162,8 +162,7 @@ FluxError Audit<Space>::worst_flux() const {
     if (scale <= 0) continue;
     const double error = std::abs(section.passed_before - section.moved) / scale;
     if (error > worst.error)
-      worst = {error, section.axis, section.face * spacing_[section.axis],
-               water_at_start_ > 0 ? section.most / water_at_start_ : 1};
+      worst = {error, section.axis, section.at, water_at_start_ > 0 ? section.most / water_at_start_ : 1};
   }
   return worst;
 }

@@ -74,6 +74,7 @@ class Audit {
  private:
   struct Section {
     int axis, face;
+    double at;                   ///< m, where on its axis
     double beyond_at_start = 0;  ///< m³ of water past the section when the first step began
     double moved = 0;            ///< change of it until the last step began
     double exchanged = 0;        ///< m³ that reservoirs have given beyond it until the last step began
@@ -83,7 +84,6 @@ class Audit {
   void book(const Stepper<Space>& state, const Exchange& exchange);
 
   std::vector<Section> sections_;
-  std::array<double, 3> spacing_{1, 1, 1};
   double solid_at_start_ = 0, water_at_start_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "polder/case/geometry.hpp"
+#include "polder/case/grid_sites.hpp"
 #include "polder/points/seed.hpp"
 #include "polder/stage/initial.hpp"
 #include "polder/step/soil_volume.hpp"
@@ -17,14 +18,14 @@ namespace {
 /// The lattice on which points are seeded.
 template <class Space>
 struct Sites {
-  std::array<double, 3> spacing{1, 1, 1};
+  std::array<SiteAxis, 3> axis;
   Sites(const Model& model, const Lattice<Space>& lattice) {
-    for (int a = 0; a < Space::axes; ++a) spacing[a] = lattice.spacing[a] / model.points_per_axis;
+    for (int a = 0; a < Space::axes; ++a) axis[a] = SiteAxis(lattice.axis[a], model.points_per_axis);
   }
   using Site = std::array<long, 3>;
   Site of(const std::array<double, 3>& x) const {
     Site site{0, 0, 0};
-    for (int a = 0; a < Space::axes; ++a) site[a] = static_cast<long>(std::floor(x[a] / spacing[a]));
+    for (int a = 0; a < Space::axes; ++a) site[a] = axis[a].site_at(x[a]);
     return site;
   }
 };
@@ -61,7 +62,7 @@ class Pores {
           for (auto at = low; at != high; ++at) {
             bool close = true;
             for (int a = 0; a < Space::axes; ++a)
-              close = close && std::abs(soil_.position[a][at->second] - x[a]) <= near * sites_.spacing[a];
+              close = close && std::abs(soil_.position[a][at->second] - x[a]) <= near * sites_.axis[a].width(site[a]);
             if (close) return true;
           }
         }
@@ -131,7 +132,7 @@ void place(const Model& model, const GroundChange& change, std::uint64_t first_i
   for (std::size_t p = 0; p < water.size(); ++p) {
     const auto x = position_of(water, p);
     if (!filled.contains(sites.of(x))) continue;
-    level = std::max(level, x[Space::up] + 0.5 * sites.spacing[Space::up]);
+    level = std::max(level, x[Space::up] + 0.5 * sites.axis[Space::up].width(sites.of(x)[Space::up]));
     const double kept = model.single_point ? 0 : porosity;
     changed.water.push_back({cell_at(lattice, x), -(1 - kept) * water.volume[p]});
     water.volume[p] *= kept;

@@ -115,9 +115,8 @@ void Guards<Space>::check_solve(const Stepper<Space>& state, const StepReport& r
       "the pressure solve did not converge at t = {:.6g} s (step {}): residual {:.2e} after {} iterations, {} {:.3g} "
       "Pa in the cell at ({:.4g}, {:.4g}); {}",
       time, state.step, report.pressure.residual, report.pressure.iterations,
-      std::isfinite(p[at]) ? "largest pressure" : "pressure", p[at],
-      (lattice.place(cell, 0) + 0.5) * lattice.spacing[0],
-      (lattice.place(cell, Space::up) + 0.5) * lattice.spacing[Space::up], place_of_fastest(state)));
+      std::isfinite(p[at]) ? "largest pressure" : "pressure", p[at], lattice.axis[0].centre(lattice.place(cell, 0)),
+      lattice.axis[Space::up].centre(lattice.place(cell, Space::up)), place_of_fastest(state)));
 }
 
 /// The audits sum in ascending order of id to the last digit; here a plain sum will do.
@@ -149,19 +148,21 @@ void Guards<Space>::add_work(const Stepper<Space>& state, double time, double dt
       const Array& v = state.grid.water_velocity[a];
       square += std::max(std::pow(v[exchange.cell], 2), std::pow(v[exchange.cell + lattice.stride[a]], 2));
     }
-    const double height = (lattice.place(exchange.cell, up) + 1) * lattice.spacing[up];
+    const double height = lattice.axis[up].edge(lattice.place(exchange.cell, up) + 1);
     work_ += exchange.volume * (rho * (g * height + 0.5 * square) + std::max(0.0, state.grid.pressure[exchange.cell]));
   }
   if (state.setup.any_absorbs()) work_ += far_work(state.setup, state.grid, dt);
   if (state.setup.loads.empty()) return;
-  const double area = lattice.face_area(up) / std::pow(state.setup.points_per_axis, Space::axes - 1);
-  const double width = lattice.spacing[0] / state.setup.points_per_axis;
+  const double columns = std::pow(state.setup.points_per_axis, Space::axes - 1);  // of points in a cell
   const auto& soil = state.soil;
   for (std::size_t p = 0; p < soil.size(); ++p)
-    if (soil.load[p] > 0)
-      work_ += std::max(0.0, -soil.velocity[up][p]) * dt * area *
+    if (soil.load[p] > 0) {
+      const auto column = cell_of(lattice, reference_of(soil, p));
+      const double width = lattice.axis[0].width(column[0]) / state.setup.points_per_axis;
+      work_ += std::max(0.0, -soil.velocity[up][p]) * dt * lattice.face_area(up, column) / columns *
                std::abs(pressure_on(state.setup.loads[soil.load[p] - 1], time, soil.position[0][p],
                                     soil.reference[0][p], width));
+    }
 }
 
 template <class Space>
@@ -188,8 +189,8 @@ void Guards<Space>::note_limits(const Stepper<Space>& state, const Audit<Space>&
       if (state.grid.wet[cell] && (!state.grid.wet[fullest] || state.grid.fill[cell] > state.grid.fill[fullest]))
         fullest = cell;
     note(overfilled_, audit.overfilled_now, GuardLimits::overfilled, time,
-         (lattice.place(fullest, 0) + 0.5) * lattice.spacing[0],
-         (lattice.place(fullest, Space::up) + 0.5) * lattice.spacing[Space::up]);
+         lattice.axis[0].centre(lattice.place(fullest, 0)),
+         lattice.axis[Space::up].centre(lattice.place(fullest, Space::up)));
   }
   const auto& n = state.soil.porosity;
   std::size_t number = 0;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "polder/case/geometry.hpp"
+#include "polder/case/grid_sites.hpp"
 #include "polder/math/units.hpp"
 
 namespace polder {
@@ -42,7 +43,7 @@ void place_soil_wall(const Model& model, const Boundary& boundary, Setup<Space>&
   const bool upright = std::abs(boundary.line[0][0] - boundary.line[1][0]) < 1e-9 * lattice.length(0);
   const int axis = upright ? 0 : Space::up;
   const double at = boundary.line[0][upright ? 0 : 1];
-  const int face = static_cast<int>(std::lround(at / lattice.spacing[axis]));
+  const int face = lattice.axis[axis].nearest_edge(at);
   double below = 0, above = 0;
   for (const auto& body : model.soils) {
     const Bounds extent = bounds(body.region.polygon);
@@ -99,9 +100,9 @@ PoreSpace pore_space(const Model& model, const MaterialInput& material, const So
 template <class Space>
 Setup<Space> make_setup(const Model& model) {
   Setup<Space> setup;
-  std::array<int, 3> cells{1, 1, 1};
-  for (int a = 0; a < Space::axes; ++a) cells[a] = static_cast<int>(std::lround(model.size[a] / model.cell[a]));
-  setup.lattice = Lattice<Space>(cells, model.cell);
+  std::array<GridAxis, 3> axes;
+  for (int a = 0; a < Space::axes; ++a) axes[a] = grid_axis(model, a);
+  setup.lattice = Lattice<Space>(axes);
   setup.water = model.water;
   setup.numerics = model.numerics;
   setup.gravity = model.gravity;
@@ -116,7 +117,7 @@ Setup<Space> make_setup(const Model& model) {
   setup.reservoirs = make_reservoirs(model, setup.lattice);
 
   for (PhaseBox* box : {&setup.soil_box, &setup.water_box})
-    for (int a = 0; a < Space::axes; ++a) box->high[a] = cells[a];
+    for (int a = 0; a < Space::axes; ++a) box->high[a] = setup.lattice.cells[a];
   if (model.periodic)
     for (PhaseBox* box : {&setup.soil_box, &setup.water_box}) box->wall[0] = {WallKind::periodic, WallKind::periodic};
   setup.loads = model.loads;
@@ -128,8 +129,8 @@ Setup<Space> make_setup(const Model& model) {
       const int along = along_side<Space>(axis);
       PhaseBox::Opening part;
       if (boundary.span)
-        part = {static_cast<int>(std::lround((*boundary.span)[0] / model.cell[along])),
-                static_cast<int>(std::lround((*boundary.span)[1] / model.cell[along]))};
+        part = {setup.lattice.axis[along].nearest_edge((*boundary.span)[0]),
+                setup.lattice.axis[along].nearest_edge((*boundary.span)[1])};
       setup.open_sides.push_back({axis, end, head, head ? boundary.head : boundary.inflow, part});
       setup.water_box.opening[axis][end] = part;
       setup.water_box.wall[axis][end] = WallKind::open;
@@ -195,16 +196,14 @@ Setup<Space> make_setup(const Model& model) {
 template <class Space>
 void set_k0_stress(const Model& model, const Setup<Space>& setup, SoilPoints<Space>& soil) {
   constexpr int up = Space::up;
-  const auto& lattice = setup.lattice;
-  std::array<double, 3> d{1, 1, 1};
-  for (int a = 0; a < Space::axes; ++a) d[a] = lattice.spacing[a] / model.points_per_axis;
+  const auto sites = [&](int a) { return SiteAxis(setup.lattice.axis[a], model.points_per_axis); };
+  const SiteAxis along = sites(0), across = sites(1), upwards = sites(up);
   std::vector<double> k0_of;
   for (const auto& material : model.materials) k0_of.push_back(earth_pressure_at_rest(material));
   std::map<std::pair<long, long>, std::vector<std::size_t>> columns;
   for (std::size_t p = 0; p < soil.size(); ++p)
-    columns[{static_cast<long>(soil.position[0][p] / d[0]),
-             Space::axes == 3 ? static_cast<long>(soil.position[1][p] / d[1]) : 0}]
-        .push_back(p);
+    columns[{along.site_at(soil.position[0][p]), Space::axes == 3 ? across.site_at(soil.position[1][p]) : 0}].push_back(
+        p);
   for (auto& [place, points] : columns) {
     std::sort(points.begin(), points.end(),
               [&](std::size_t a, std::size_t b) { return soil.position[up][a] > soil.position[up][b]; });
@@ -214,9 +213,9 @@ void set_k0_stress(const Model& model, const Setup<Space>& setup, SoilPoints<Spa
       const bool submerged =
           !model.water_table.empty() && soil.position[up][p] < height_at(model.water_table, soil.position[0][p]);
       const double density = (1 - material.porosity) * (material.grain_density - (submerged ? model.water.density : 0));
-      const double layer = density * model.gravity * d[up];
-      const double ceiling = (std::floor(soil.position[up][p] / d[up]) + 1) * d[up];
-      const double vertical = -(weight + density * model.gravity * (ceiling - soil.position[up][p]));
+      const long level = upwards.site_at(soil.position[up][p]);
+      const double layer = density * model.gravity * upwards.width(level);
+      const double vertical = -(weight + density * model.gravity * (upwards.low(level + 1) - soil.position[up][p]));
       weight += layer;
       const double k0 = model.k0.value_or(k0_of[soil.material[p]]);
       for (int a = 0; a < 3; ++a) soil.stress[a][p] = a == up ? vertical : k0 * vertical;

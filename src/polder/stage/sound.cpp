@@ -65,7 +65,7 @@ std::string flaw_of_homes(const Lattice<Space>& lattice, const Points& points, c
       const auto home = cell_of_home(lattice, points.home[p]);
       for (int a = 0; a < Space::axes; ++a)
         good = good && home[a] < lattice.cells[a] &&
-               std::abs(points.position[a][p] / lattice.spacing[a] - (home[a] + 0.5)) < 3;
+               std::abs(lattice.axis[a].place(points.position[a][p]) - (home[a] + 0.5)) < 3;
     }
     if (!good) return fmt::format("the cell of {} point {} is not where the point is", phase, points.id[p]);
   }

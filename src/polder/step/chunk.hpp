@@ -6,7 +6,6 @@
 #include <cstddef>
 
 #include "polder/grid/lattice.hpp"
-#include "polder/grid/spline.hpp"
 #include "polder/math/simd.hpp"
 
 namespace polder {
@@ -17,17 +16,24 @@ inline constexpr int chunk_size = 32;
 template <class Space>
 struct alignas(64) ChunkWeights {
   static constexpr int axes = Space::axes;
-  double delta[axes][2][chunk_size];
-  double weight[axes][2][3][chunk_size];      // of axes ≥ 1
-  double offset[axes][2][3][chunk_size];      // weight × (node − point), spacings
-  double derivative[axes][2][3][chunk_size];  // per spacing
-  int cell_base[chunk_size];                  // index of the stencil's first cell centre
-  int face_shift[axes][chunk_size];           // further steps to the first of the three faces
-  int cell[axes][chunk_size];                 // the point's cell
+  double delta[axes][2][chunk_size];           // from the middle node, spacings
+  double weight[axes][2][3][chunk_size];       // of axes ≥ 1
+  double offset[axes][2][3][chunk_size];       // weight × (node − point), spacings
+  double derivative[axes][2][3][chunk_size];   // per spacing
+  int cell_base[chunk_size];                   // index of the stencil's first cell centre
+  int face_shift[axes][chunk_size];            // further steps to the first of the three faces
+  int cell[axes][chunk_size];                  // the point's cell
+  double share[axes][chunk_size];              // of its cell below the point; on graded lattices
+  double inertia[axes][2][chunk_size];         // Σ weight (node − point)², square spacings; likewise
+  const SplinePiece* row[2][chunk_size] = {};  // along x; likewise
 
   void compute(const Lattice<Space>& lattice, const std::array<const double*, axes>& position, int count) {
     for (int l = 0; l < count; ++l) cell_base[l] = static_cast<int>(lattice.index(-1, -1, axes == 3 ? -1 : 0));
     for (int a = 0; a < axes; ++a) {
+      if (lattice.graded) {
+        compute_graded(lattice, a, position[a], count);
+        continue;
+      }
       const double inverse = 1 / lattice.spacing[a];
       const int step = static_cast<int>(lattice.stride[a]);
       const double* x = position[a];
@@ -47,12 +53,58 @@ struct alignas(64) ChunkWeights {
         for (int l = 0; l < count; ++l) {
           double w[3], o[3], d[3];
           spline_weights(delta[a][set][l], w, o, d);
-          for (int i = 0; i < 3; ++i) {
-            weight[a][set][i][l] = w[i];
-            offset[a][set][i][l] = o[i];
-            derivative[a][set][i][l] = d[i];
-          }
+          put(a, set, l, w, o, d);
         }
+    }
+  }
+
+  /// The three weights along an axis of a graded lattice, also along x.
+  void weights(int a, int set, int l, double (&w)[3], double (&o)[3], double (&d)[3]) const {
+    if (a == 0) return unpack(row[set][l]->row(delta[0][set][l]), set == 1 && face_shift[0][l] != 0, w, o, d);
+    for (int i = 0; i < 3; ++i)
+      w[i] = weight[a][set][i][l], o[i] = offset[a][set][i][l], d[i] = derivative[a][set][i][l];
+  }
+
+ private:
+  void put(int a, int set, int l, const double (&w)[3], const double (&o)[3], const double (&d)[3]) {
+    for (int i = 0; i < 3; ++i) {
+      weight[a][set][i][l] = w[i];
+      offset[a][set][i][l] = o[i];
+      derivative[a][set][i][l] = d[i];
+    }
+  }
+  static void unpack(const SplineRow& row_, int lane, double (&w)[3], double (&o)[3], double (&d)[3]) {
+    for (int i = 0; i < 3; ++i)
+      w[i] = row_.weight[lane + i], o[i] = row_.offset[lane + i], d[i] = row_.derivative[lane + i];
+  }
+
+  void compute_graded(const Lattice<Space>& lattice, int a, const double* x, int count) {
+    const GridAxis& axis = lattice.axis[a];
+    const GradedSpline& spline = *lattice.spline[a];
+    const double inverse = 1 / lattice.spacing[a];
+    const int step = static_cast<int>(lattice.stride[a]);
+    for (int l = 0; l < count; ++l) {
+      const int b =
+          std::clamp(static_cast<int>(axis.graded() ? axis.cell_at(x[l]) : x[l] * inverse), 0, axis.cells() - 1);
+      const int upper = x[l] >= axis.knot(b);
+      cell[a][l] = b;
+      cell_base[l] += b * step;
+      face_shift[a][l] = upper * step;
+      share[a][l] = axis.place_from(b, x[l]) - b;
+      delta[a][0][l] = (x[l] - axis.centre(b)) * inverse;
+      delta[a][1][l] = (x[l] - axis.edge(b + upper)) * inverse;
+      const SplinePiece* pieces[2] = {&spline.centres(b), &spline.faces(b, upper)};
+      for (int set = 0; set < 2; ++set) {
+        const double from_middle = delta[a][set][l];
+        inertia[a][set][l] = pieces[set]->inertia(from_middle);
+        if (a == 0) {
+          row[set][l] = pieces[set];
+          continue;
+        }
+        double w[3], o[3], d[3];
+        unpack(pieces[set]->row(from_middle), set == 1 ? upper : 0, w, o, d);
+        put(a, set, l, w, o, d);
+      }
     }
   }
 };
@@ -79,36 +131,46 @@ inline std::ptrdiff_t stencil_base(const ChunkWeights<Space>& chunk, int l) {
 }
 
 /// Point l's weights along x for component c.
-template <int c, class Space>
+template <int c, bool graded = false, class Space>
 inline SplineRow x_row(const ChunkWeights<Space>& chunk, int l) {
-  if constexpr (c == 0)
+  if constexpr (graded)
+    return chunk.row[c == 0][l]->row(chunk.delta[0][c == 0][l]);
+  else if constexpr (c == 0)
     return face_row(chunk.delta[0][1][l], chunk.face_shift[0][l]);
   else
     return centre_row(chunk.delta[0][0][l]);
 }
 
+/// Volume of the cells that a chunk's points are in; for graded lattices.
+template <class Space>
+inline double own_cell_volume(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int l) {
+  double v = 1;
+  for (int a = 0; a < Space::axes; ++a) v *= lattice.axis[a].width(chunk.cell[a][l]);
+  return v;
+}
+
 /// Visits the rows of point l's stencil of component c: body(position of the row relative to the base, and the weights,
 /// offsets and derivatives of its y and z). In plane strain z's are 1, 0, 0.
 template <int c, class Space, class Body>
-[[gnu::always_inline]] inline void over_rows(const ChunkWeights<Space>& chunk, const Lattice<Space>& lattice, int l,
-                                             Body&& body) {
+[[gnu::always_inline]] inline void over_rows(const ChunkWeights<Space>& chunk,
+                                             const std::array<std::ptrdiff_t, 3>& stride, int l, Body&& body) {
   constexpr int sy = c == 1;
   if constexpr (Space::axes == 2) {
     for (int j = 0; j < 3; ++j)
-      body(j * lattice.stride[1], chunk.weight[1][sy][j][l], chunk.offset[1][sy][j][l], chunk.derivative[1][sy][j][l],
-           1.0, 0.0, 0.0);
+      body(j * stride[1], chunk.weight[1][sy][j][l], chunk.offset[1][sy][j][l], chunk.derivative[1][sy][j][l], 1.0, 0.0,
+           0.0);
   } else {
     constexpr int sz = c == 2;
     for (int k = 0; k < 3; ++k)
       for (int j = 0; j < 3; ++j)
-        body(j * lattice.stride[1] + k * lattice.stride[2], chunk.weight[1][sy][j][l], chunk.offset[1][sy][j][l],
+        body(j * stride[1] + k * stride[2], chunk.weight[1][sy][j][l], chunk.offset[1][sy][j][l],
              chunk.derivative[1][sy][j][l], chunk.weight[2][sz][k][l], chunk.offset[2][sz][k][l],
              chunk.derivative[2][sz][k][l]);
   }
 }
 
-/// What a box that reaches `half` spacings (at most half a cell) to either side of x has in the lower one of the two
-/// cells that it overlaps on an axis, pushed inside [low, high) cells; x in spacings.
+/// What a box that reaches `half` cells (at most half a cell) to either side of x has in the lower one of the two cells
+/// that it overlaps on an axis, pushed inside [low, high) cells; x in cells.
 struct AxisOverlap {
   int cell;      ///< the lower one
   double share;  ///< of it
@@ -122,7 +184,7 @@ struct AxisOverlap {
 };
 
 /// Share of a point's content that falls in each of the 2^axes cells that its own box overlaps. The box has `half`
-/// spacings on either side (per axis, at most half a cell) and is pushed inside [low, high) cells.
+/// cells on either side (per axis, at most half a cell) and is pushed inside [low, high) cells.
 template <class Space>
 struct BoxOverlap {
   std::ptrdiff_t base = 0;
@@ -137,7 +199,7 @@ struct BoxOverlap {
              const std::array<int, 3>& low, const std::array<int, 3>& high) {
     int first[3] = {0, 0, 0};
     for (int a = 0; a < Space::axes; ++a) {
-      const AxisOverlap on_axis(position[a] / lattice.spacing[a], halves[a], low[a], high[a]);
+      const AxisOverlap on_axis(lattice.axis[a].place(position[a]), halves[a], low[a], high[a]);
       first[a] = on_axis.cell;
       share[a][0] = on_axis.share;
       share[a][1] = 1 - on_axis.share;
@@ -176,10 +238,15 @@ struct alignas(64) ChunkOverlap {
       const int step = static_cast<int>(lattice.stride[a]), lowest = low[a], beyond = high[a];
       const double *x = position[a], *edge = half_edges[a];
       double* of_lower = share[a];
-      for (int l = 0; l < count; ++l) {
-        const AxisOverlap on_axis(x[l] * inverse, edge[l], lowest, beyond);
+      const auto put = [&](int l, double place) {
+        const AxisOverlap on_axis(place, edge[l], lowest, beyond);
         of_lower[l] = on_axis.share;
         base[l] += on_axis.cell * step;
+      };
+      if (lattice.axis[a].graded()) {
+        for (int l = 0; l < count; ++l) put(l, lattice.axis[a].place(x[l]));
+      } else {
+        for (int l = 0; l < count; ++l) put(l, x[l] * inverse);
       }
     }
   }
@@ -205,7 +272,7 @@ struct alignas(64) ChunkOverlap {
   }
 };
 
-/// Half the edge, in spacings, of a box of volume `volume` with the proportions of a cell.
+/// Half the edge, in cells, of a box of volume `volume` with the proportions of a cell.
 template <class Space>
 inline double half_edge(double volume, double cell_volume) {
   if constexpr (Space::axes == 2)
@@ -214,10 +281,15 @@ inline double half_edge(double volume, double cell_volume) {
     return 0.5 * std::cbrt(volume / cell_volume);
 }
 
-/// The same for a chunk.
+/// The same for a chunk, each in the proportions of its own cell.
 template <class Space>
-inline void half_edges(const double (&volume)[chunk_size], double cell_volume, int count, double (&half)[chunk_size]) {
-  const double inverse = 1 / cell_volume;
+inline void half_edges(const double (&volume)[chunk_size], const Lattice<Space>& lattice,
+                       const ChunkWeights<Space>& chunk, int count, double (&half)[chunk_size]) {
+  if (lattice.graded) {
+    for (int l = 0; l < count; ++l) half[l] = half_edge<Space>(volume[l], own_cell_volume(lattice, chunk, l));
+    return;
+  }
+  const double inverse = 1 / lattice.cell_volume();
   if constexpr (Space::axes == 2) {
     for (int l = 0; l < count; ++l) half[l] = 0.5 * std::sqrt(volume[l] * inverse);
   } else {

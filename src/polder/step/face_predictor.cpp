@@ -5,6 +5,7 @@
 
 #include "polder/math/simd.hpp"
 #include "polder/step/face_loop.hpp"
+#include "polder/step/row_metric.hpp"
 
 namespace polder {
 
@@ -131,11 +132,18 @@ double impedance_along(const Setup<Space>& setup, const GridFields<Space>& grid,
     if (a == c) continue;
     const int place = a == 0 ? at[0] + i : at[a];
     const std::ptrdiff_t s = lattice.stride[a];
-    if (place == 0 && setup.absorbs(a, 0)) sum += grid.far_impedance[1][cell - s] / lattice.spacing[a];
-    if (place == lattice.cells[a] - 1 && setup.absorbs(a, 1))
-      sum += grid.far_impedance[1][cell + s] / lattice.spacing[a];
+    const double width = lattice.axis[a].width(place);
+    if (place == 0 && setup.absorbs(a, 0)) sum += grid.far_impedance[1][cell - s] / width;
+    if (place == lattice.cells[a] - 1 && setup.absorbs(a, 1)) sum += grid.far_impedance[1][cell + s] / width;
   }
   return sum;
+}
+
+/// 1 over what a face of component c stands for along an axis (its own: `along`) times the way to the next one.
+double inverse_square(const GridAxis& axis, bool along, int place, int way) {
+  if (!axis.graded()) return 1 / (axis.least() * axis.least());
+  const double own = along ? axis.gap(place) : axis.width(place);
+  return 1 / (own * (along ? axis.width(way < 0 ? place - 1 : place) : axis.gap(way < 0 ? place : place + 1)));
 }
 
 /// A face on an absorbing side: grains and water move as one, under what is more than at rest, against the dashpot.
@@ -176,15 +184,16 @@ void add_viscous_stress(const Setup<Space>& setup, double dt, GridFields<Space>&
     reflect(velocity, c, true, setup.water_box, lattice, true);
     Array inside = grid.water_mass[c];  // where there is water, beyond the walls as well
     reflect(inside, c, false, setup.water_box, lattice);
-    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {
+    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
       for (std::ptrdiff_t f = first; f < first + count; ++f) {
         if (!(inside[f] > least)) continue;
         double sum = 0;
         for (int a = 0; a < Space::axes; ++a) {
           const std::ptrdiff_t s = lattice.stride[a];
-          const double inverse = 1 / (lattice.spacing[a] * lattice.spacing[a]);
-          for (const std::ptrdiff_t n : {f - s, f + s})
-            if (inside[n] > least) sum += inverse * (velocity[n] - velocity[f]);
+          const int place = a == 0 ? at[0] + static_cast<int>(f - first) : at[a];
+          for (const int way : {-1, 1})
+            if (inside[f + way * s] > least)
+              sum += inverse_square(lattice.axis[a], a == c, place, way) * (velocity[f + way * s] - velocity[f]);
         }
         momentum[f] += mass[f] * nu * dt * sum;
       }
@@ -199,9 +208,8 @@ template <class Space>
 void predict_faces(const Setup<Space>& setup, const StepControl& control, double dt, GridFields<Space>& grid,
                    Team& team) {
   const auto& lattice = setup.lattice;
-  const double cell_volume = lattice.cell_volume(), inverse_volume = 1 / cell_volume;
+  const double cell_volume = lattice.cell_volume();
   const double rho_w = setup.water.density, g = setup.gravity * control.gravity_factor;
-  const auto& h = lattice.spacing;
   const bool one_material = setup.materials.size() <= 1;
   const double rho_s0 = setup.materials.empty() ? 2650 : setup.materials.front().grain_density;
   const bool all_fixed = !setup.materials.empty() &&
@@ -230,141 +238,155 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
     std::uint8_t* reached = grid.reached[c].data();
 
     const bool plain = one_material && !all_fixed && !setup.single_point && (vertical || !control.hold_water) &&
-                       !opening[0] && !opening[1] && !setup.walls.any() && !setup.bodies.any() && !far_field;
+                       !opening[0] && !opening[1] && !setup.walls.any() && !setup.bodies.any() && !far_field &&
+                       !lattice.graded;
     const auto free = [&](int place) {  // of the walls that close this component's faces
       return place > std::max(0, setup.soil_box.low[c]) && place < std::min(lattice.cells[c], setup.soil_box.high[c]);
     };
     const FaceArrays arrays{soil_mass, water_mass, force, flux, linear_drag, quadratic_drag, vs,
                             vw,        porosity,   rs,    rw,   beta,        before,         water_before};
     const FaceConstants constants{dt,
-                                  inverse_volume,
+                                  1 / cell_volume,
                                   rho_s0 * cell_volume,
                                   rho_w,
                                   -dt * pull,
                                   1 - std::min(1.0, control.damping * dt),
                                   1 - std::min(1.0, control.water_damping * dt)};
 
-    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
-      for (int i = 0; i < count; ++i) {
-        const std::ptrdiff_t f = first + i, low = f - s;
-        if (plain && i + block <= count && (c == 0 ? free(at[0] + i) && free(at[0] + i + block - 1) : free(at[c]))) {
-          const std::uint64_t wet = eight(&grid.wet[f]), wet_below = eight(&grid.wet[low]);
-          bool done = false;
-          if (wet == eight_set && wet_below == eight_set) {
-            if (all_above(soil_mass + f, soil_present * constants.full_of_grains)) {
-              predict_block(arrays, f, s, constants);
-              done = true;
-            } else if (all_zero(soil_mass + f)) {
-              predict_water_block(arrays, f, constants);
+    by_spacing(lattice, [&]<bool graded>() {
+      over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
+        const RowMetric<Space, graded> metric(lattice, at);
+        for (int i = 0; i < count; ++i) {
+          const std::ptrdiff_t f = first + i, low = f - s;
+          if (plain && i + block <= count && (c == 0 ? free(at[0] + i) && free(at[0] + i + block - 1) : free(at[c]))) {
+            const std::uint64_t wet = eight(&grid.wet[f]), wet_below = eight(&grid.wet[low]);
+            bool done = false;
+            if (wet == eight_set && wet_below == eight_set) {
+              if (all_above(soil_mass + f, soil_present * constants.full_of_grains)) {
+                predict_block(arrays, f, s, constants);
+                done = true;
+              } else if (all_zero(soil_mass + f)) {
+                predict_water_block(arrays, f, constants);
+                done = true;
+              }
+            } else if ((wet | wet_below) == 0 && all_zero(soil_mass + f) && all_zero(water_mass + f)) {
+              clear_block(arrays, f);
               done = true;
             }
-          } else if ((wet | wet_below) == 0 && all_zero(soil_mass + f) && all_zero(water_mass + f)) {
-            clear_block(arrays, f);
-            done = true;
+            if (done) {
+              std::fill_n(reached + f, block, static_cast<std::uint8_t>(wet != 0));
+              i += block - 1;
+              continue;
+            }
           }
-          if (done) {
-            std::fill_n(reached + f, block, static_cast<std::uint8_t>(wet != 0));
-            i += block - 1;
+          const int place = c == 0 ? at[0] + i : at[c];
+          const bool end = !joined && (place == 0 || place == lattice.cells[c]);
+          const bool wall = end || setup.shut(c, f);
+          const bool both_wet = grid.wet[low] && grid.wet[f], beside_wet = grid.wet[low] || grid.wet[f];
+          reached[f] = beside_wet && (end || !wall);
+          if (soil_mass[f] == 0 && water_mass[f] == 0 && !beside_wet) {
+            water_before[f] = vs[f] = vw[f] = rs[f] = rw[f] = beta[f] = 0;
+            porosity[f] = 1;
             continue;
           }
-        }
-        const int place = c == 0 ? at[0] + i : at[c];
-        const bool end = !joined && (place == 0 || place == lattice.cells[c]);
-        const bool wall = end || setup.shut(c, f);
-        const bool both_wet = grid.wet[low] && grid.wet[f], beside_wet = grid.wet[low] || grid.wet[f];
-        reached[f] = beside_wet && (end || !wall);
-        if (soil_mass[f] == 0 && water_mass[f] == 0 && !beside_wet) {
-          water_before[f] = vs[f] = vw[f] = rs[f] = rw[f] = beta[f] = 0;
-          porosity[f] = 1;
-          continue;
-        }
-        const double open =
-            setup.bodies.any() ? std::max(0.05, 0.5 * (setup.bodies.open_cell(low) + setup.bodies.open_cell(f))) : 1;
-        const double volume = (end ? 0.5 * cell_volume : cell_volume) * open;
-        const double solid = grid.solid_volume[low] + grid.solid_volume[f];
-        const double rho_s =
-            one_material || solid <= 0 ? rho_s0 : (grid.soil_cell_mass[low] + grid.soil_cell_mass[f]) / solid;
-        const double full_of_grains = rho_s * volume;
-        double n = std::max(0.2, 1 - soil_mass[f] / full_of_grains), ends = 0;
-        if (beside_wet && !both_wet && !wall && solid > 0) {
-          const std::ptrdiff_t wet = grid.wet[f] ? f : low;
-          ends = std::max(0.0, 1 - (solid - grid.solid_volume[wet]) / std::max(grid.solid_volume[wet], 1e-300));
-          n += ends * (grid.cell_porosity[wet] - n);
-        }
-        porosity[f] = n;
-        const bool has_soil = soil_mass[f] > soil_present * full_of_grains;
-
-        const double held = setup.single_point ? carried[f] : 0;
-        double S = std::min(1.0, (water_mass[f] + held) / (rho_w * n * volume));
-        const bool has_water = S > water_present;
-        const OpenSide* side = joined                      ? nullptr
-                               : place == 0                ? opening[0]
-                               : place == lattice.cells[c] ? opening[1]
-                                                           : nullptr;
-        if (side && !side->part.covers(c == 0 ? at[Space::up] : at[0] + i)) side = nullptr;
-        if (beside_wet) S = both_wet || side ? 1 : std::max(least_saturation, S);
-
-        double soil = has_soil ? vs[f] / soil_mass[f] : 0;
-        before[f] = soil;
-        double water = water_mass[f] > water_present * rho_w * volume ? vw[f] / water_mass[f] : soil;
-        // water that soil points carry remembers its motion relative to them on the grid
-        if (held > 0) water = (vw[f] + held * (soil + discharge[f] / n)) / (water_mass[f] + held);
-        water_before[f] = water;
-        if (has_soil) {
-          soil += dt * force[f] / std::max(soil_mass[f], force_floor * full_of_grains);
-          if (pull != 0) soil += dt * pull;
-          if (control.body_force) {
-            std::array<double, 3> x{};
-            for (int a = 0; a < Space::axes; ++a) x[a] = ((a == 0 ? at[0] + i : at[a]) + (a == c ? 0 : 0.5)) * h[a];
-            soil += dt * control.body_force(c, x, control.time - dt);
+          const double open =
+              setup.bodies.any() ? std::max(0.05, 0.5 * (setup.bodies.open_cell(low) + setup.bodies.open_cell(f))) : 1;
+          const double whole = metric.face_volume(c, i), volume = (end ? 0.5 * whole : whole) * open;
+          const double solid = grid.solid_volume[low] + grid.solid_volume[f];
+          const double rho_s =
+              one_material || solid <= 0 ? rho_s0 : (grid.soil_cell_mass[low] + grid.soil_cell_mass[f]) / solid;
+          const double full_of_grains = rho_s * volume;
+          double n = std::max(0.2, 1 - soil_mass[f] / full_of_grains), ends = 0;
+          if (beside_wet && !both_wet && !wall && solid > 0) {
+            const std::ptrdiff_t wet = grid.wet[f] ? f : low;
+            double other = solid - grid.solid_volume[wet];
+            if constexpr (graded)
+              other *= grid.wet[f] ? metric.volume(i) / metric.volume_below(c, i)
+                                   : metric.volume_below(c, i) / metric.volume(i);
+            ends = std::max(0.0, 1 - other / std::max(grid.solid_volume[wet], 1e-300));
+            n += ends * (grid.cell_porosity[wet] - n);
           }
-          soil *= 1 - std::min(1.0, control.damping * dt);
-        }
-        if (far_field && has_soil)
-          soil /= 1 + dt * impedance_along(setup, grid, c, place < lattice.cells[c] ? f : low, at, i) * volume /
-                          soil_mass[f];
-        if (pull != 0) water += dt * pull;
-        water *= 1 - std::min(1.0, control.water_damping * dt);
+          porosity[f] = n;
+          const bool has_soil = soil_mass[f] > soil_present * full_of_grains;
 
-        // on the faces that a body closes, soil meets it after the pressure has acted; what water there is carries its
-        // share
-        const bool met = setup.bodies.closed(c, f) && !end && !setup.walls.blocked(c, f);
-        if (met && vertical && has_water) soil += dt * g * rho_w / rho_s;
-        const bool far = end && has_soil && !all_fixed && far_across[place > 0];
-        const bool soil_fixed = (wall && !met) || all_fixed ||
-                                (!joined && (place <= setup.soil_box.low[c] || place >= setup.soil_box.high[c]));
-        const bool water_fixed = (wall && !(side && side->prescribes_head)) || (control.hold_water && !vertical);
-        FaceState state{0, 0, 0, 0};
-        if (far) {
-          state = far_state(grid, c, f, place == 0 ? low : f, lattice.face_area(c), volume, n * rho_w * S, g, dt,
-                            vertical, water_before[f]);
-        } else if (met) {
-          state.soil = has_soil && !soil_fixed ? soil : 0;
-        } else if (!has_soil) {
-          if (!water_fixed) {
-            state.water = water;
-            state.water_response = -dt / rho_w;
+          const double held = setup.single_point ? carried[f] : 0;
+          double S = std::min(1.0, (water_mass[f] + held) / (rho_w * n * volume));
+          const bool has_water = S > water_present;
+          const OpenSide* side = joined                      ? nullptr
+                                 : place == 0                ? opening[0]
+                                 : place == lattice.cells[c] ? opening[1]
+                                                             : nullptr;
+          if (side && !side->part.covers(c == 0 ? at[Space::up] : at[0] + i)) side = nullptr;
+          if (beside_wet) S = both_wet || side ? 1 : std::max(least_saturation, S);
+
+          double soil = has_soil ? vs[f] / soil_mass[f] : 0;
+          before[f] = soil;
+          double water = water_mass[f] > water_present * rho_w * volume ? vw[f] / water_mass[f] : soil;
+          // water that soil points carry remembers its motion relative to them on the grid
+          if (held > 0) water = (vw[f] + held * (soil + discharge[f] / n)) / (water_mass[f] + held);
+          water_before[f] = water;
+          if (has_soil) {
+            soil += dt * force[f] / std::max(soil_mass[f], force_floor * full_of_grains);
+            if (pull != 0) soil += dt * pull;
+            if (control.body_force) {
+              std::array<double, 3> x{};
+              for (int a = 0; a < Space::axes; ++a) {
+                const int number = a == 0 ? at[0] + i : at[a];
+                x[a] = a == c ? lattice.axis[a].edge(number) : lattice.axis[a].centre(number);
+              }
+              soil += dt * control.body_force(c, x, control.time - dt);
+            }
+            soil *= 1 - std::min(1.0, control.damping * dt);
           }
-        } else {
-          // where the soil ends at the surface, of the wet cell alone; on an open side, of the cell inside
-          const double share_low = side ? place > 0 : 0.5 * (1 + (grid.wet[low] ? ends : -ends));
-          const double linear = share_low * linear_drag[low] + (1 - share_low) * linear_drag[f];
-          const double quadratic = share_low * quadratic_drag[low] + (1 - share_low) * quadratic_drag[f];
-          const double C = n * n * (linear + quadratic * flux[f]) * (inverse_volume / open) * S;
-          state = couple(water, soil, n * rho_w * std::max(S, 1e-6), std::max(soil_mass[f] / volume, 1e-9), C, n, S, dt,
-                         water_fixed, soil_fixed, !has_water && !beside_wet);
+          if (far_field && has_soil)
+            soil /= 1 + dt * impedance_along(setup, grid, c, place < lattice.cells[c] ? f : low, at, i) * volume /
+                            soil_mass[f];
+          if (pull != 0) water += dt * pull;
+          water *= 1 - std::min(1.0, control.water_damping * dt);
+
+          // on the faces that a body closes, soil meets it after the pressure has acted; what water there is carries
+          // its share
+          const bool met = setup.bodies.closed(c, f) && !end && !setup.walls.blocked(c, f);
+          if (met && vertical && has_water) soil += dt * g * rho_w / rho_s;
+          const bool far = end && has_soil && !all_fixed && far_across[place > 0];
+          const bool soil_fixed = (wall && !met) || all_fixed ||
+                                  (!joined && (place <= setup.soil_box.low[c] || place >= setup.soil_box.high[c]));
+          const bool water_fixed = (wall && !(side && side->prescribes_head)) || (control.hold_water && !vertical);
+          FaceState state{0, 0, 0, 0};
+          if (far) {
+            state = far_state(grid, c, f, place == 0 ? low : f, metric.area(c, i), volume, n * rho_w * S, g, dt,
+                              vertical, water_before[f]);
+          } else if (met) {
+            state.soil = has_soil && !soil_fixed ? soil : 0;
+          } else if (!has_soil) {
+            if (!water_fixed) {
+              state.water = water;
+              state.water_response = -dt / rho_w;
+            }
+          } else {
+            // where the soil ends at the surface, of the wet cell alone; on an open side, of the cell inside
+            const double share_low = side ? place > 0 : 0.5 * (1 + (grid.wet[low] ? ends : -ends));
+            // of the whole face: on a graded lattice from what each cell has per volume
+            const double of_low = graded ? share_low * whole / metric.volume_below(c, i) : share_low;
+            const double of_high = graded ? (1 - share_low) * whole / metric.volume(i) : 1 - share_low;
+            const double linear = of_low * linear_drag[low] + of_high * linear_drag[f];
+            const double quadratic = of_low * quadratic_drag[low] + of_high * quadratic_drag[f];
+            const double C = n * n * (linear + quadratic * flux[f]) * (metric.inverse_face_volume(c, i) / open) * S;
+            state = couple(water, soil, n * rho_w * std::max(S, 1e-6), std::max(soil_mass[f] / volume, 1e-9), C, n, S,
+                           dt, water_fixed, soil_fixed, !has_water && !beside_wet);
+          }
+          if (side && !side->prescribes_head) state.water = -side->outward() * side->value(control.time) / n;
+          if (soil_fixed && !far) before[f] = 0;
+          if (water_fixed && !far) water_before[f] = 0;
+          if (end && !side && at_end[place > 0] != 0)  // a side that moves
+            state.water = state.soil = before[f] = water_before[f] = at_end[place > 0];
+          vw[f] = state.water;
+          vs[f] = state.soil;
+          rw[f] = state.water_response;
+          rs[f] = state.soil_response;
+          beta[f] = -(n * state.water_response + (1 - n) * state.soil_response);
         }
-        if (side && !side->prescribes_head) state.water = -side->outward() * side->value(control.time) / n;
-        if (soil_fixed && !far) before[f] = 0;
-        if (water_fixed && !far) water_before[f] = 0;
-        if (end && !side && at_end[place > 0] != 0)  // a side that moves
-          state.water = state.soil = before[f] = water_before[f] = at_end[place > 0];
-        vw[f] = state.water;
-        vs[f] = state.soil;
-        rw[f] = state.water_response;
-        rs[f] = state.soil_response;
-        beta[f] = -(n * state.water_response + (1 - n) * state.soil_response);
-      }
+      });
     });
   }
 }
@@ -399,8 +421,9 @@ void meet_bodies(const Setup<Space>& setup, GridFields<Space>& grid) {
         for (int i = 0; i < lattice.cells[0]; ++i) {
           const std::ptrdiff_t f = Space::axes == 3 ? lattice.index(i, k, level) : lattice.index(i, level);
           if (!setup.bodies.near(f)) continue;
-          const BodyContact at = setup.bodies.contact(
-              {(i + (c == 0 ? 0.0 : 0.5)) * lattice.spacing[0], (level + (c == 0 ? 0.5 : 0.0)) * lattice.spacing[up]});
+          const BodyContact at =
+              setup.bodies.contact({c == 0 ? lattice.axis[0].edge(i) : lattice.axis[0].centre(i),
+                                    c == 0 ? lattice.axis[up].centre(level) : lattice.axis[up].edge(level)});
           if (at.distance >= 0) continue;
           double v[2];  // x, height
           v[c != 0] = grid.soil_velocity[c][f];

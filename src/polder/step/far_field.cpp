@@ -67,7 +67,7 @@ void know_far_field(const Setup<Space>& setup, const SoilPoints<Space>& soil, do
     over_side(lattice, side,
               [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>&) {
                 const Ground& g = ground.at(inside);
-                const double volume = 0.5 * lattice.cell_volume();
+                const double volume = 0.5 * lattice.cell_volume(inside);
                 const double n = std::clamp(grid.cell_porosity[inside], least_porosity, most_porosity);
                 const double water = grid.wet[inside] ? n * rho * volume : grid.water_mass[side.axis][face];
                 grid.far_force[side.axis][face] = -grid.soil_force[side.axis][face];
@@ -109,9 +109,9 @@ double far_work(const Setup<Space>& setup, const GridFields<Space>& grid, double
   double work = 0;
   for (const OpenSide& side : far_sides(setup))
     over_side(setup.lattice, side,
-              [&](std::ptrdiff_t face, std::ptrdiff_t, std::ptrdiff_t outside, const std::array<int, 3>&) {
+              [&](std::ptrdiff_t face, std::ptrdiff_t, std::ptrdiff_t outside, const std::array<int, 3>& cell) {
                 const double force = std::abs(grid.far_force[side.axis][face]) +
-                                     std::abs(grid.far_pressure[outside]) * setup.lattice.face_area(side.axis);
+                                     std::abs(grid.far_pressure[outside]) * setup.lattice.face_area(side.axis, cell);
                 work += dt * force * std::abs(grid.soil_velocity[side.axis][face]);
               });
   return work;

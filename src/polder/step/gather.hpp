@@ -13,7 +13,7 @@ struct alignas(64) Gathered {
   double gradient[Space::axes][chunk_size];
 };
 
-template <int c, bool with_gradient, class Space>
+template <int c, bool with_gradient, bool graded, class Space>
 void gather_component(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int count, const double* field,
                       Gathered<Space>& out) {
   constexpr int axes = Space::axes, sy = c == 1, sz = c == 2;
@@ -46,7 +46,7 @@ void gather_component(const Lattice<Space>& lattice, const ChunkWeights<Space>& 
         }
       }
     }
-    const SplineRow x = x_row<c>(chunk, l);
+    const SplineRow x = x_row<c, graded>(chunk, l);
     const Vec4 first =
         sum_lanes(sum * x.weight, sum * x.offset, offset_y * x.weight, with_gradient ? sum * x.derivative : Vec4{});
     out.value[l] = first[0];
@@ -69,7 +69,7 @@ void gather_component(const Lattice<Space>& lattice, const ChunkWeights<Space>& 
 }
 
 /// The values of several fields of one component, and nothing else.
-template <int c, int fields, class Space>
+template <int c, int fields, bool graded, class Space>
 void gather_values(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int count,
                    const std::array<const double*, fields>& field, const std::array<double*, fields>& value) {
   static_assert(fields <= 4);
@@ -81,7 +81,7 @@ void gather_values(const Lattice<Space>& lattice, const ChunkWeights<Space>& chu
     const auto plane = [&](const double* at) {
       return wy[0][l] * load4(at) + wy[1][l] * load4(at + up) + wy[2][l] * load4(at + 2 * up);
     };
-    const Vec4 x = x_row<c>(chunk, l).weight;
+    const Vec4 x = x_row<c, graded>(chunk, l).weight;
     Vec4 weighted[4] = {};
     for (int f = 0; f < fields; ++f) {
       const double* at = field[f] + base;
@@ -101,14 +101,19 @@ void gather_values(const Lattice<Space>& lattice, const ChunkWeights<Space>& chu
   }
 }
 
-/// APIC: the point takes the grid's velocity and affine motion (B·D⁻¹, D = h²/4).
+/// APIC: the point takes the grid's velocity and affine motion (B·D⁻¹, D = Σ w (node − point)², of equal cells h²/4).
 template <int c, class Space, class Points>
-void take_motion(const Lattice<Space>& lattice, const Gathered<Space>& gathered, std::size_t first, int count,
-                 Points& points) {
+void take_motion(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, const Gathered<Space>& gathered,
+                 std::size_t first, int count, Points& points) {
   for (int l = 0; l < count; ++l) points.velocity[c][first + l] = gathered.value[l];
   for (int a = 0; a < Space::axes; ++a) {
     const double factor = 4 / lattice.spacing[a];
     double* affine = points.affine[c * Space::axes + a].data() + first;
+    if (lattice.graded) {
+      const double inverse = 1 / lattice.spacing[a];
+      for (int l = 0; l < count; ++l) affine[l] = inverse / chunk.inertia[a][a == c][l] * gathered.moment[a][l];
+      continue;
+    }
     for (int l = 0; l < count; ++l) affine[l] = factor * gathered.moment[a][l];
   }
 }

@@ -37,9 +37,23 @@ void shift_in_cells(const Lattice<Space>& lattice, const ChunkWeights<Space>& ch
                     double* displacement) {
   for (int l = 0; l < count; ++l) {
     const std::ptrdiff_t face = cell_index(lattice, chunk, l);
-    const double share = 0.5 + chunk.delta[c][0][l];
+    const double share = lattice.graded ? chunk.share[c][l] : 0.5 + chunk.delta[c][0][l];
     displacement[l] = (1 - share) * shift[face] + share * shift[face + lattice.stride[c]];
   }
+}
+
+/// Largest of the lengths along axis c, counted in the points' own cells.
+template <int c, class Space>
+double most_cells(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int count, const double* length) {
+  double most = 0;
+  if (lattice.graded) {
+    for (int l = 0; l < count; ++l)
+      most = std::max(most, std::abs(length[l]) / lattice.axis[c].width(chunk.cell[c][l]));
+    return most;
+  }
+  const double inverse = 1 / lattice.spacing[c];
+  for (int l = 0; l < count; ++l) most = std::max(most, std::abs(length[l]) * inverse);
+  return most;
 }
 
 /// The boxes of points in free water stretch along the axes with the flow, at constant volume. In soil, whose pores mix
@@ -82,8 +96,8 @@ void leave_body(const Setup<Space>& setup, const PhaseBox& box, std::size_t p, P
   std::array<double, 3> x = position_of(points, p);
   setup.bodies.push_out(x);
   for (int a = 0; a < Space::axes; ++a)
-    points.position[a][p] =
-        std::clamp(x[a], (box.low[a] + wall_gap) * lattice.spacing[a], (box.high[a] - wall_gap) * lattice.spacing[a]);
+    points.position[a][p] = std::clamp(x[a], lattice.axis[a].at_place(box.low[a] + wall_gap),
+                                       lattice.axis[a].at_place(box.high[a] - wall_gap));
   const double into = points.velocity[0][p] * at.normal[0] + points.velocity[up][p] * at.normal[1];
   if (into >= 0) return;
   points.velocity[0][p] -= into * at.normal[0];
@@ -104,16 +118,16 @@ void move_chunk(const Setup<Space>& setup, const PhaseBox& box, bool walled, boo
   if (walled)
     for (int a = 0; a < Space::axes; ++a) std::copy_n(points.position[a].data() + first, count, before[a]);
   for (int a = 0; a < Space::axes; ++a)
-    move(points.position[a].data() + first, displacement[a], count, (box.low[a] + gap(a, 0)) * lattice.spacing[a],
-         (box.high[a] - gap(a, 1)) * lattice.spacing[a]);
+    move(points.position[a].data() + first, displacement[a], count, lattice.axis[a].at_place(box.low[a] + gap(a, 0)),
+         lattice.axis[a].at_place(box.high[a] - gap(a, 1)));
   for (int a = 0; a < Space::axes; ++a)
     for (int side = 0; side < 2; ++side) {
       if (box.wall[a][side] != WallKind::open || box.opening[a][side].whole()) continue;
       const std::size_t along = static_cast<std::size_t>(along_side<Space>(a));
-      const double low = wall_gap * lattice.spacing[a], high = (box.high[a] - wall_gap) * lattice.spacing[a];
+      const double low = lattice.axis[a].at_place(wall_gap), high = lattice.axis[a].at_place(box.high[a] - wall_gap);
       for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
         if (box.opening[a][side].covers(
-                static_cast<int>(std::floor(points.position[along][p] / lattice.spacing[along]))))
+                static_cast<int>(std::floor(lattice.axis[along].place(points.position[along][p])))))
           continue;
         double& x = points.position[a][p];
         x = side == 0 ? std::max(x, low) : std::min(x, high);
@@ -132,15 +146,18 @@ void move_chunk(const Setup<Space>& setup, const PhaseBox& box, bool walled, boo
 template <int c, bool with_gradient, class Space>
 void gather(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, bool walled, int count, const Array& field,
             Gathered<Space>& out) {
-  if (walled)
-    gather_beside_walls<c, with_gradient>(setup.walls, setup.lattice, chunk, count, field.data(), out);
-  else
-    gather_component<c, with_gradient>(setup.lattice, chunk, count, field.data(), out);
+  if (walled) return gather_beside_walls<c, with_gradient>(setup.walls, setup.lattice, chunk, count, field.data(), out);
+  by_spacing(setup.lattice, [&]<bool graded>() {
+    gather_component<c, with_gradient, graded>(setup.lattice, chunk, count, field.data(), out);
+  });
 }
 template <int c, int fields, class Space>
 void gather(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, bool walled, int count,
             const std::array<const double*, fields>& field, const std::array<double*, fields>& value) {
-  if (!walled) return gather_values<c, fields>(setup.lattice, chunk, count, field, value);
+  if (!walled)
+    return by_spacing(setup.lattice, [&]<bool graded>() {
+      gather_values<c, fields, graded>(setup.lattice, chunk, count, field, value);
+    });
   for (int f = 0; f < fields; ++f)
     gather_value_beside_walls<c>(setup.walls, setup.lattice, chunk, count, field[f], value[f]);
 }
@@ -278,7 +295,7 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
       }
       over_components<Space>([&]<int c>() {
         gather<c, false>(setup, chunk, walled, count, grid.water_velocity[c], gathered);
-        take_motion<c>(lattice, gathered, first, count, water);
+        take_motion<c>(lattice, chunk, gathered, first, count, water);
         if (in_soil) {
           gather<c, 3>(setup, chunk, walled, count,
                        {grid.shift[c].data(), grid.discharge[c].data(), grid.soil_velocity[c].data()},
@@ -288,12 +305,9 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
           gather<c, 1>(setup, chunk, walled, count, {grid.shift[c].data()}, {displacement[c]});
         }
         if (stretched) shift_in_cells<c>(lattice, chunk, count, grid.shift[c], displacement[c]);
-        const double inverse = 1 / lattice.spacing[c];
-        for (int l = 0; l < count; ++l) {
-          displacement[c][l] += dt * gathered.value[l];
-          motion.speed = std::max(motion.speed, std::abs(gathered.value[l]) * inverse);
-          motion.drift = std::max(motion.drift, std::abs(displacement[c][l]) * inverse);
-        }
+        for (int l = 0; l < count; ++l) displacement[c][l] += dt * gathered.value[l];
+        motion.speed = std::max(motion.speed, most_cells<c>(lattice, chunk, count, gathered.value));
+        motion.drift = std::max(motion.drift, most_cells<c>(lattice, chunk, count, displacement[c]));
       });
       if (stretched) stretch_boxes(dt, porosity, first, count, water);
       move_chunk(setup, setup.water_box, walled, bodied, first, count, displacement, water);
@@ -327,16 +341,13 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
       const bool bodied = beside_bodies(setup, chunk, count);
       over_components<Space>([&]<int c>() {
         gather<c, true>(setup, chunk, walled, count, grid.soil_velocity[c], gathered);
-        take_motion<c>(lattice, gathered, first, count, soil);
+        take_motion<c>(lattice, chunk, gathered, first, count, soil);
         for (int a = 0; a < Space::axes; ++a) {
           const double inverse = 1 / lattice.spacing[a];
           for (int l = 0; l < count; ++l) gradients.at[c][a][l] = gathered.gradient[a][l] * inverse;
         }
-        const double inverse = 1 / lattice.spacing[c];
-        for (int l = 0; l < count; ++l) {
-          displacement[c][l] = dt * gathered.value[l];
-          motion.speed = std::max(motion.speed, std::abs(gathered.value[l]) * inverse);
-        }
+        for (int l = 0; l < count; ++l) displacement[c][l] = dt * gathered.value[l];
+        motion.speed = std::max(motion.speed, most_cells<c>(lattice, chunk, count, gathered.value));
       });
       motion.drift = motion.speed * dt;
       move_chunk(setup, setup.soil_box, walled, bodied, first, count, displacement, soil);

@@ -27,7 +27,7 @@ void add_layer(const Setup<Space>& setup, const GridFields<Space>& grid, const O
         water.volume[p] = each;
         for (int a = 0; a < Space::axes; ++a) {
           const double share = a != side.axis ? (at[a] + 0.5) / ppa : side.end == 0 ? 0.5 / ppa : 1 - 0.5 / ppa;
-          water.position[a][p] = (cell[a] + share) * lattice.spacing[a];
+          water.position[a][p] = lattice.axis[a].at_place(cell[a] + share);
         }
         water.velocity[side.axis][p] = grid.water_velocity[side.axis][face];
       }
@@ -45,7 +45,7 @@ void prepare_open_sides(const Setup<Space>& setup, double time, GridFields<Space
     over_side(lattice, side,
               [&](std::ptrdiff_t, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>& cell) {
                 const double height = side.axis == Space::up ? (side.end == 0 ? 0 : lattice.length(Space::up))
-                                                             : (cell[Space::up] + 0.5) * lattice.spacing[Space::up];
+                                                             : lattice.axis[Space::up].centre(cell[Space::up]);
                 grid.pressure[outside] = std::max(0.0, gamma * (head - height));
                 if (head > height) grid.wet[inside] = 1;
                 grid.fill[outside] = 1 - grid.fill[inside];  // puts the surface on the side, half a cell away
@@ -93,8 +93,8 @@ std::vector<Exchange> exchange_through_sides(const Setup<Space>& setup, double d
               [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>& cell) {
                 double& owed = grid.owed[outside];
                 owed -= side.outward() * grid.porosity[side.axis][face] * grid.water_velocity[side.axis][face] *
-                        lattice.face_area(side.axis) * dt;
-                const double each = grid.cell_porosity[inside] * setup.nominal_point_volume();
+                        lattice.face_area(side.axis, cell) * dt;
+                const double each = grid.cell_porosity[inside] * setup.nominal_point_volume(cell);
                 const double layer = each * std::pow(setup.points_per_axis, Space::axes - 1);
                 while (owed >= layer) {
                   add_layer(setup, grid, side, face, cell, each, next_id, water);

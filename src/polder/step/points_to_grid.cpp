@@ -15,7 +15,7 @@ namespace polder {
 
 namespace {
 
-constexpr double thinnest_cube = 0.1;   // spacings, half the edge of a water point's box
+constexpr double thinnest_cube = 0.1;   // cells, half the edge of a water point's box
 constexpr double thinnest_half = 0.02;  // likewise, where it is flattened
 
 /// |q| in a cell, from the faces below and above it.
@@ -32,7 +32,9 @@ void press_on(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::siz
               double* field) {
   constexpr int up = Space::up;
   const auto& lattice = setup.lattice;
-  const double half = 0.5 * lattice.spacing[up] / setup.points_per_axis * volume / setup.nominal_point_volume();
+  const std::array<int, 3> own = cell_of(lattice, position_of(soil, p));
+  const double half =
+      0.5 * lattice.axis[up].width(own[up]) / setup.points_per_axis * volume / setup.nominal_point_volume(own);
   std::array<double, Space::axes> x{};
   std::array<const double*, Space::axes> at{};
   for (int a = 0; a < Space::axes; ++a) {
@@ -42,11 +44,13 @@ void press_on(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::siz
   x[up] = std::min(x[up] + half, lattice.length(up) * (1 - 1e-9));
   ChunkWeights<Space> chunk;
   chunk.compute(lattice, at, 1);
-  const Vec4 row = splat4(-force) * x_row<up>(chunk, 0).weight;
+  Vec4 row = splat4(-force);
+  by_spacing(lattice, [&]<bool graded>() { row *= x_row<up, graded>(chunk, 0).weight; });
   const std::ptrdiff_t base = stencil_base<up>(chunk, 0);
-  over_rows<up>(chunk, lattice, 0, [&](std::ptrdiff_t offset, double wy, double, double, double wz, double, double) {
-    store4(field + base + offset, load4(field + base + offset) + (wy * wz) * row);
-  });
+  over_rows<up>(chunk, lattice.stride, 0,
+                [&](std::ptrdiff_t offset, double wy, double, double, double wz, double, double) {
+                  store4(field + base + offset, load4(field + base + offset) + (wy * wz) * row);
+                });
 }
 
 /// Clears face fields where points may write, and what body(first cell, count) clears of a row of cells.
@@ -68,7 +72,7 @@ void clear(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, const P
 /// What a chunk of soil points brings to the cells.
 struct alignas(64) SoilContent {
   double volume[chunk_size];     // bulk, m³
-  double half_edge[chunk_size];  // of the point's box, spacings
+  double half_edge[chunk_size];  // of the point's box, cells
   double solid[chunk_size], mass[chunk_size], linear[chunk_size], quadratic[chunk_size];
   double linear_up[chunk_size], quadratic_up[chunk_size];  // drag in the vertical, where it differs
   Vec4 horizontal[chunk_size];                             // solid, mass, linear, quadratic
@@ -76,7 +80,6 @@ struct alignas(64) SoilContent {
   template <class Space>
   void compute(const Setup<Space>& setup, const GridFields<Space>& grid, const SoilPoints<Space>& soil,
                std::size_t first, int count, const ChunkWeights<Space>& chunk) {
-    const double cell_volume = setup.lattice.cell_volume();
     const auto& own = soil.material;
     const bool one = std::equal(own.begin() + first + 1, own.begin() + first + count, own.begin() + first);
     if (one && setup.materials[own[first]].drag[0].packed() && !setup.anisotropic) {
@@ -117,7 +120,7 @@ struct alignas(64) SoilContent {
         }
       }
     }
-    half_edges<Space>(volume, cell_volume, count, half_edge);
+    half_edges(volume, setup.lattice, chunk, count, half_edge);
     for (int l = 0; l < count; l += 4) {
       Vec4 a = load4(solid + l), b = load4(mass + l), c = load4(linear + l), d = load4(quadratic + l);
       transpose4(a, b, c, d);
@@ -129,7 +132,7 @@ struct alignas(64) SoilContent {
   }
 };
 
-/// Half the edges of a chunk's boxes, in spacings: as cubes, and along each axis where they are elongated.
+/// Half the edges of a chunk's boxes, in cells: as cubes, and along each axis where they are elongated.
 template <class Space>
 struct HalfEdges {
   const double* cube;
@@ -179,7 +182,6 @@ template <class Space>
 void carried_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
                      GridFields<Space>& grid, Team& team) {
   const auto& lattice = setup.lattice;
-  const double cell_volume = lattice.cell_volume();
   clear<Space>(lattice, grid.rows, setup.soil_box, {&grid.carried_mass}, team,
                [&](std::ptrdiff_t first, int count) { std::fill_n(grid.saturated_solid.begin() + first, count, 0.0); });
   over_chunks(tiling, team, [&](std::size_t first, int count) {
@@ -192,7 +194,8 @@ void carried_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
       const double bulk = bulk_volume(setup, soil, p);
       const double water = soil.saturated[p] ? n * bulk : 0, solid = soil.saturated[p] ? (1 - n) * bulk : 0;
       mass[l] = setup.water.density * water;
-      const BoxOverlap<Space> box(lattice, position_of(soil, p), half_edge<Space>(bulk, cell_volume),
+      const BoxOverlap<Space> box(lattice, position_of(soil, p),
+                                  half_edge<Space>(bulk, lattice.cell_volume(cell_places(chunk, l))),
                                   setup.soil_box.low, setup.soil_box.high);
       box.over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
         grid.water_volume[cell] += share * water;
@@ -217,9 +220,7 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
                  for (auto* field : {&grid.linear_drag[1], &grid.quadratic_drag[1]})
                    if (setup.anisotropic) std::fill_n(field->begin() + first, count, 0.0);
                });
-  const double cell_volume = lattice.cell_volume();
-  const double loaded_area = lattice.face_area(Space::up) / std::pow(setup.points_per_axis, Space::axes - 1);
-  const double loaded_width = lattice.spacing[0] / setup.points_per_axis;
+  const double columns = std::pow(setup.points_per_axis, Space::axes - 1);  // of points in a cell
 
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     const Upcoming<Space> upcoming(lattice, soil.home, first, count);
@@ -256,14 +257,19 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
       Contribution<Space> contribution;
       contribution.template take_momentum<c>(lattice, soil, mass, first, count);
       contribution.template take_force<c>(lattice, soil, volume, first, count);
-      scatter_component<c, true>(lattice, chunk, contribution, count, masses, momenta, forces);
+      by_spacing(lattice, [&]<bool graded>() {
+        scatter_component<c, true, graded>(lattice, chunk, contribution, count, masses, momenta, forces);
+      });
     });
     for (int l = 0; l < count && !setup.loads.empty(); ++l) {
       const std::size_t p = first + l;
       if (soil.load[p] == 0) continue;
+      const std::array<int, 3> column = cell_of(lattice, reference_of(soil, p));
+      const double width = lattice.axis[0].width(column[0]) / setup.points_per_axis;
       const double pressure =
-          pressure_on(setup.loads[soil.load[p] - 1], time, soil.position[0][p], soil.reference[0][p], loaded_width);
-      press_on(setup, soil, p, volume[l], pressure * loaded_area, grid.soil_force[Space::up].data());
+          pressure_on(setup.loads[soil.load[p] - 1], time, soil.position[0][p], soil.reference[0][p], width);
+      press_on(setup, soil, p, volume[l], pressure * lattice.face_area(Space::up, column) / columns,
+               grid.soil_force[Space::up].data());
     }
   });
 
@@ -272,7 +278,8 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
     release_forces(grid.soil_force[c], c, setup.soil_box, lattice);
     fold(grid.soil_force[c], c, true, setup.soil_box, lattice);
   }
-  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+    const RowVolume<Space> volume(lattice, place);
     for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
       const double* sums = grid.soil_sums.data() + 4 * cell;
       grid.solid_volume[cell] = sums[0];
@@ -280,7 +287,8 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
       grid.linear_drag[0][cell] = sums[2];
       grid.quadratic_drag[0][cell] = sums[3];
       const double open = setup.bodies.open_cell(cell);
-      grid.cell_porosity[cell] = open > 0 ? std::max(0.2, 1 - grid.solid_volume[cell] / (cell_volume * open)) : 1;
+      grid.cell_porosity[cell] =
+          open > 0 ? std::max(0.2, 1 - grid.solid_volume[cell] / (volume(cell - first) * open)) : 1;
     }
   });
   for (Array* field : {&grid.solid_volume, &grid.soil_cell_mass, &grid.cell_porosity, &grid.linear_drag[0],
@@ -294,7 +302,7 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
   const auto& lattice = setup.lattice;
   clear<Space>(lattice, grid.rows, setup.water_box, {&grid.water_mass, &grid.water_velocity}, team,
                [&](std::ptrdiff_t first, int count) { std::fill_n(grid.water_volume.begin() + first, count, 0.0); });
-  const double cell_volume = lattice.cell_volume(), density = setup.water.density;
+  const double density = setup.water.density;
   const bool stretched = setup.stretches_water();
   if (setup.single_point) carried_to_grid(setup, soil, soil_tiling, grid, team);
 
@@ -314,7 +322,7 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
       mass[l] = density * volume[l];
       bulk[l] = volume[l] / bulk[l];
     }
-    polder::half_edges<Space>(bulk, cell_volume, count, half);
+    polder::half_edges(bulk, lattice, chunk, count, half);
     for (int l = 0; l < count; ++l) half[l] = std::max(thinnest_cube, half[l]);
     HalfEdges<Space> half_edges{half, {}};
     for (int a = 0; a < Space::axes; ++a) {
@@ -335,16 +343,19 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
                                               momenta, nullptr);
       Contribution<Space> contribution;
       contribution.template take_momentum<c>(lattice, water, mass, first, count);
-      scatter_component<c, false>(lattice, chunk, contribution, count, masses, momenta, nullptr);
+      by_spacing(lattice, [&]<bool graded>() {
+        scatter_component<c, false, graded>(lattice, chunk, contribution, count, masses, momenta, nullptr);
+      });
     });
   });
 
   for (int c = 0; c < Space::axes; ++c) {
     fold_motion(grid.water_mass[c], grid.water_velocity[c], c, setup.water_box, lattice);
   }
-  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+    const RowVolume<Space> of_row(lattice, place);
     for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
-      const double open = setup.bodies.open_cell(cell);
+      const double open = setup.bodies.open_cell(cell), cell_volume = of_row(cell - first);
       grid.fill[cell] = open > 0 ? grid.water_volume[cell] / (grid.cell_porosity[cell] * cell_volume * open) : 0;
       if (setup.single_point) {  // soil that carries its water ends where its grains do: what is above is not pores
         const double saturated = grid.saturated_solid[cell];

@@ -6,29 +6,32 @@
 #include "polder/step/face_loop.hpp"
 #include "polder/step/far_field.hpp"
 #include "polder/step/interior.hpp"
+#include "polder/step/row_metric.hpp"
 
 namespace polder {
 
 namespace {
 
 /// Fills the solver's matrix from face coefficients: −∇·(coefficient ∇) over wet cells with p = 0 at the surface, whose
-/// distance is `distance(wet cell, dry cell)` spacings, plus `storage(cell)` on the diagonal.
-template <class Space, class Coefficient, class Distance, class Storage>
+/// distance is `distance(wet cell, dry cell)` of the way between their centres, plus `storage(cell, volume)` on the
+/// diagonal.
+template <bool graded, class Space, class Coefficient, class Distance, class Storage>
 void assemble(const Setup<Space>& setup, const GridFields<Space>& grid, CellMatrix<Space>& matrix, Team& team,
               Coefficient&& coefficient, Distance&& distance, Storage&& storage) {
   const auto& lattice = setup.lattice;
-  std::array<double, 3> scale{};
-  for (int a = 0; a < Space::axes; ++a) scale[a] = lattice.cell_volume() / (lattice.spacing[a] * lattice.spacing[a]);
   over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+    const RowMetric<Space, graded> metric(lattice, place);
     if (setup.periodic) matrix.seam[first] = 0;
     for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
       for (int a = 0; a < Space::axes; ++a) matrix.coupling[a][cell] = 0;
       matrix.diagonal[cell] = 0;
       if (!grid.wet[cell]) continue;
-      double sum = storage(cell);
+      const int i = static_cast<int>(cell - first);
+      double sum = storage(cell, metric.volume(i));
       for (int a = 0; a < Space::axes; ++a) {
         const std::ptrdiff_t s = lattice.stride[a];
-        const double low = scale[a] * coefficient(a, cell), high = scale[a] * coefficient(a, cell + s);
+        const double low = metric.conductance(a, i, 0) * coefficient(a, cell);
+        const double high = metric.conductance(a, i, 1) * coefficient(a, cell + s);
         if (grid.wet[cell - s]) {
           if (a == 0 && setup.periodic && cell == first && place[0] == 0)
             matrix.seam[cell] = low;
@@ -56,12 +59,12 @@ void add_heads(const Setup<Space>& setup, const GridFields<Space>& grid, Distanc
   sides.insert(sides.end(), setup.open_sides.begin(), setup.open_sides.end());
   for (const OpenSide& side : sides) {
     if (!side.prescribes_head) continue;
-    const double scale = lattice.cell_volume() / (lattice.spacing[side.axis] * lattice.spacing[side.axis]);
     over_side(lattice, side,
-              [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>&) {
+              [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>& cell) {
+                const double h = lattice.axis[side.axis].width(cell[side.axis]);
                 if (grid.wet[inside])
-                  right_side[inside] +=
-                      scale * grid.mobility[side.axis][face] * grid.pressure[outside] / distance(inside, outside);
+                  right_side[inside] += lattice.cell_volume(cell) / (h * h) * grid.mobility[side.axis][face] *
+                                        grid.pressure[outside] / distance(inside, outside);
               });
   }
 }
@@ -137,35 +140,42 @@ SolveResult project(const Setup<Space>& setup, double dt, const std::vector<Well
                     PressureSolver<Space>& solver, Team& team) {
   const auto& lattice = setup.lattice;
   const double theta = setup.numerics.pressure_weight, earlier = (1 - theta) / theta;
-  const double storage = lattice.cell_volume() / (setup.water.bulk_modulus * dt * theta * theta);
+  const double softness = setup.water.bulk_modulus * dt * theta * theta;
   const Array before = theta < 1 ? grid.pressure : Array{};
   const auto distance = [&](std::ptrdiff_t wet, std::ptrdiff_t dry) {
     return surface_distance(grid.fill[wet], grid.fill[dry]);
   };
-  assemble(
-      setup, grid, solver.matrix, team,
-      [&](int a, std::ptrdiff_t f) { return grid.mobility[a][f] * setup.bodies.open_face(a, f); }, distance,
-      [&](std::ptrdiff_t cell) { return storage * grid.cell_porosity[cell] * setup.bodies.open_cell(cell); });
+  by_spacing(lattice, [&]<bool graded>() {
+    assemble<graded>(
+        setup, grid, solver.matrix, team,
+        [&](int a, std::ptrdiff_t f) { return grid.mobility[a][f] * setup.bodies.open_face(a, f); }, distance,
+        [&](std::ptrdiff_t cell, double volume) {
+          return volume / softness * grid.cell_porosity[cell] * setup.bodies.open_cell(cell);
+        });
 
-  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
-    for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
-      if (!grid.wet[cell]) {
-        solver.right_side[cell] = 0;
-        continue;
+    over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+      const RowMetric<Space, graded> metric(lattice, place);
+      for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
+        if (!grid.wet[cell]) {
+          solver.right_side[cell] = 0;
+          continue;
+        }
+        const int i = static_cast<int>(cell - first);
+        double divergence = 0;
+        for (int a = 0; a < Space::axes; ++a) {
+          const auto flux = [&](std::ptrdiff_t f) {
+            const double n = grid.porosity[a][f];
+            double v = n * grid.water_velocity[a][f] + (1 - n) * grid.soil_velocity[a][f];
+            if (earlier > 0) v += earlier * (n * grid.water_before[a][f] + (1 - n) * grid.soil_before[a][f]);
+            return setup.bodies.open_face(a, f) * v;
+          };
+          divergence += metric.area(a, i) * (flux(cell + lattice.stride[a]) - flux(cell));
+        }
+        solver.right_side[cell] = metric.volume(i) / softness * grid.cell_porosity[cell] *
+                                      setup.bodies.open_cell(cell) * grid.pressure[cell] -
+                                  divergence;
       }
-      double divergence = 0;
-      for (int a = 0; a < Space::axes; ++a) {
-        const auto flux = [&](std::ptrdiff_t f) {
-          const double n = grid.porosity[a][f];
-          double v = n * grid.water_velocity[a][f] + (1 - n) * grid.soil_velocity[a][f];
-          if (earlier > 0) v += earlier * (n * grid.water_before[a][f] + (1 - n) * grid.soil_before[a][f]);
-          return setup.bodies.open_face(a, f) * v;
-        };
-        divergence += lattice.face_area(a) * (flux(cell + lattice.stride[a]) - flux(cell));
-      }
-      solver.right_side[cell] =
-          storage * grid.cell_porosity[cell] * setup.bodies.open_cell(cell) * grid.pressure[cell] - divergence;
-    }
+    });
   });
   add_heads(setup, grid, distance, solver.right_side);
   for (const WellFlow& well : wells) {
@@ -175,24 +185,28 @@ SolveResult project(const Setup<Space>& setup, double dt, const std::vector<Well
   const SolveResult result = solver.solve(grid.rows, grid.pressure, setup.numerics.pressure_tolerance, 400, team);
   join_ends(grid.pressure, setup.water_box, lattice);
 
-  for (int c = 0; c < Space::axes; ++c) {
-    const std::ptrdiff_t s = lattice.stride[c];
-    const double inverse = 1 / lattice.spacing[c];
-    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {
-      for (std::ptrdiff_t f = first; f < first + count; ++f) {
-        if (!grid.reached[c][f] || grid.mobility[c][f] <= 0) continue;
-        const std::ptrdiff_t low = f - s;
-        double gradient;
-        if (grid.wet[low] && grid.wet[f])
-          gradient = (grid.pressure[f] - grid.pressure[low]) * inverse;
-        else  // what is not wet has pressure zero; beyond a side with a head it is the side's
-          gradient =
-              (grid.pressure[f] - grid.pressure[low]) * inverse / (grid.wet[low] ? distance(low, f) : distance(f, low));
-        grid.water_velocity[c][f] += grid.water_response[c][f] * gradient;
-        grid.soil_velocity[c][f] += grid.soil_response[c][f] * gradient;
-      }
-    });
-  }
+  by_spacing(lattice, [&]<bool graded>() {
+    for (int c = 0; c < Space::axes; ++c) {
+      const std::ptrdiff_t s = lattice.stride[c];
+      over_face_rows(lattice, grid.rows, c, team,
+                     [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+                       const RowMetric<Space, graded> metric(lattice, place);
+                       for (std::ptrdiff_t f = first; f < first + count; ++f) {
+                         if (!grid.reached[c][f] || grid.mobility[c][f] <= 0) continue;
+                         const std::ptrdiff_t low = f - s;
+                         const double inverse = metric.inverse_gap(c, static_cast<int>(f - first));
+                         double gradient;
+                         if (grid.wet[low] && grid.wet[f])
+                           gradient = (grid.pressure[f] - grid.pressure[low]) * inverse;
+                         else  // what is not wet has pressure zero; beyond a side with a head it is the side's
+                           gradient = (grid.pressure[f] - grid.pressure[low]) * inverse /
+                                      (grid.wet[low] ? distance(low, f) : distance(f, low));
+                         grid.water_velocity[c][f] += grid.water_response[c][f] * gradient;
+                         grid.soil_velocity[c][f] += grid.soil_response[c][f] * gradient;
+                       }
+                     });
+    }
+  });
   for (std::size_t cell = 0; cell < before.size(); ++cell)
     if (grid.wet[cell]) grid.pressure[cell] = (grid.pressure[cell] - (1 - theta) * before[cell]) / theta;
   return result;
@@ -236,43 +250,49 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
   const auto& lattice = setup.lattice;
   // water does not respond to a pressure gradient where it is held: at walls, at gates
   const auto closed = [&](int a, std::ptrdiff_t f) { return grid.water_response[a][f] == 0; };
-  assemble(
-      setup, grid, solver.matrix, team,
-      [&](int a, std::ptrdiff_t f) { return closed(a, f) ? 0 : grid.porosity[a][f] * setup.bodies.open_face(a, f); },
-      [](std::ptrdiff_t, std::ptrdiff_t) { return 0.5; }, [](std::ptrdiff_t) { return 0.0; });
-  const double volume = lattice.cell_volume();
-  const double floor = 1e-6 * volume / (lattice.smallest_spacing() * lattice.smallest_spacing());
-  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
-    for (int i = 0; i < count; ++i) {
-      const std::ptrdiff_t cell = first + i;
-      grid.potential[cell] = solver.right_side[cell] = 0;
-      if (!grid.wet[cell]) continue;
-      if (solver.matrix.diagonal[cell] > 0) solver.matrix.diagonal[cell] += floor;
-      double error = grid.fill[cell] - 1;
-      if (!is_inside_water(setup, grid, cell, {place[0] + i, place[1], place[2]})) error = std::max(0.0, error);
-      solver.right_side[cell] = setup.numerics.volume_correction * grid.cell_porosity[cell] * volume *
-                                setup.bodies.open_cell(cell) * std::clamp(error, -0.5, 0.5);
-    }
+  const double floor = 1e-6 * lattice.cell_volume() / (lattice.smallest_spacing() * lattice.smallest_spacing());
+  by_spacing(lattice, [&]<bool graded>() {
+    assemble<graded>(
+        setup, grid, solver.matrix, team,
+        [&](int a, std::ptrdiff_t f) { return closed(a, f) ? 0 : grid.porosity[a][f] * setup.bodies.open_face(a, f); },
+        [](std::ptrdiff_t, std::ptrdiff_t) { return 0.5; }, [](std::ptrdiff_t, double) { return 0.0; });
+    over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+      const RowMetric<Space, graded> metric(lattice, place);
+      for (int i = 0; i < count; ++i) {
+        const std::ptrdiff_t cell = first + i;
+        grid.potential[cell] = solver.right_side[cell] = 0;
+        if (!grid.wet[cell]) continue;
+        if (solver.matrix.diagonal[cell] > 0) solver.matrix.diagonal[cell] += floor;
+        double error = grid.fill[cell] - 1;
+        if (!is_inside_water(setup, grid, cell, {place[0] + i, place[1], place[2]})) error = std::max(0.0, error);
+        solver.right_side[cell] = setup.numerics.volume_correction * grid.cell_porosity[cell] * metric.volume(i) *
+                                  setup.bodies.open_cell(cell) * std::clamp(error, -0.5, 0.5);
+      }
+    });
   });
   const SolveResult result = solver.solve(grid.rows, grid.potential, 1e-2, 60, team);
   join_ends(grid.potential, setup.water_box, lattice);
 
-  for (int c = 0; c < Space::axes; ++c) {
-    const std::ptrdiff_t s = lattice.stride[c];
-    const double h = lattice.spacing[c];
-    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {
-      for (std::ptrdiff_t f = first; f < first + count; ++f) {
-        double d = 0;
-        if (grid.reached[c][f] && !closed(c, f)) {
-          if (grid.wet[f - s] && grid.wet[f])
-            d = grid.potential[f - s] - grid.potential[f];
-          else
-            d = grid.wet[f - s] ? 2 * grid.potential[f - s] : -2 * grid.potential[f];
-        }
-        grid.shift[c][f] = std::clamp(d / h, -0.1 * h, 0.1 * h);
-      }
-    });
-  }
+  by_spacing(lattice, [&]<bool graded>() {
+    for (int c = 0; c < Space::axes; ++c) {
+      const std::ptrdiff_t s = lattice.stride[c];
+      over_face_rows(lattice, grid.rows, c, team,
+                     [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+                       const RowMetric<Space, graded> metric(lattice, place);
+                       for (std::ptrdiff_t f = first; f < first + count; ++f) {
+                         double d = 0;
+                         if (grid.reached[c][f] && !closed(c, f)) {
+                           if (grid.wet[f - s] && grid.wet[f])
+                             d = grid.potential[f - s] - grid.potential[f];
+                           else
+                             d = grid.wet[f - s] ? 2 * grid.potential[f - s] : -2 * grid.potential[f];
+                         }
+                         const double h = metric.gap(c, static_cast<int>(f - first));
+                         grid.shift[c][f] = std::clamp(d / h, -0.1 * h, 0.1 * h);
+                       }
+                     });
+    }
+  });
   extrapolate_water(setup, grid, grid.shift, false, grid.shift_layers, team);
   for (int c = 0; c < Space::axes; ++c) {
     over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {

@@ -31,7 +31,7 @@ bool open_to_air(const Setup<Space>& setup, const GridFields<Space>& grid, std::
   for (int level = lattice.cells[Space::up] - 1; level >= 0; --level) {
     const std::ptrdiff_t cell = base + level * lattice.stride[Space::up];
     if (grid.wet[cell]) return true;
-    if (grid.solid_volume[cell] > 0.5 * (1 - grid.cell_porosity[cell]) * lattice.cell_volume()) return false;
+    if (grid.solid_volume[cell] > 0.5 * (1 - grid.cell_porosity[cell]) * lattice.cell_volume(cell)) return false;
   }
   return false;
 }
@@ -58,9 +58,9 @@ void evaporate(const Setup<Space>& setup, Dues& dues, GridFields<Space>& grid, W
       return std::pair{water.position[up][b], water.id[b]} < std::pair{water.position[up][a], water.id[a]};
     });
     for (const std::size_t p : points) {
-      const bool whole = left > water.volume[p] - least * setup.nominal_point_volume();
-      const double taken = whole ? water.volume[p] : left;
       const auto cell = cell_at(p);
+      const bool whole = left > water.volume[p] - least * setup.nominal_point_volume(cell);
+      const double taken = whole ? water.volume[p] : left;
       exchanged.push_back({lattice.index(cell[0], cell[1], cell[2]), -taken});
       water.volume[p] -= taken;
       leaves[p] = whole;
@@ -79,7 +79,6 @@ std::vector<Exchange> let_it_rain(const Setup<Space>& setup, double time, double
                                   std::uint64_t& next_id, WaterPoints<Space>& water) {
   constexpr int up = Space::up;
   const auto& lattice = setup.lattice;
-  const double volume = lattice.cell_volume(), size = parcel * setup.nominal_point_volume();
   std::vector<Exchange> exchanged;
   Dues dues;
   for (int k = 0; k < (Space::axes == 3 ? lattice.cells[1] : 1); ++k)
@@ -87,14 +86,16 @@ std::vector<Exchange> let_it_rain(const Setup<Space>& setup, double time, double
       const std::ptrdiff_t base = Space::axes == 3 ? lattice.index(i, k, 0) : lattice.index(i, 0);
       double rate = 0;
       for (const Rain& rain : setup.rains)
-        rate += rate_on(rain, time, (i + 0.5) * lattice.spacing[0], lattice.spacing[0]);
+        rate += rate_on(rain, time, lattice.axis[0].centre(i), lattice.axis[0].width(i));
       double& fallen = grid.rain[base];
-      fallen += rate * dt * lattice.face_area(up);
+      fallen += rate * dt * lattice.face_area(up, base);
+      const double size = parcel * setup.nominal_point_volume(base);
       if (fallen <= -size) dues.try_emplace(base);
       if (fallen < size) continue;
       int top = -1;  // the uppermost cell with something in it
       for (int level = lattice.cells[up] - 1; level >= 0 && top < 0; --level) {
         const std::ptrdiff_t cell = base + level * lattice.stride[up];
+        const double volume = lattice.cell_volume(cell);
         if (grid.wet[cell] || grid.water_volume[cell] > a_little * volume ||
             grid.solid_volume[cell] > a_little * volume || setup.bodies.open_cell(cell) < 1 - a_little)
           top = level;
@@ -107,7 +108,7 @@ std::vector<Exchange> let_it_rain(const Setup<Space>& setup, double time, double
       const std::array<int, 3> place = Space::axes == 3 ? std::array{i, k, level} : std::array{i, level, 0};
       for (int a = 0; a < Space::axes; ++a) {
         const double share = a == up ? 0.25 : uniform(setup.numerics.seed, water.id[p], static_cast<std::uint64_t>(a));
-        water.position[a][p] = (place[a] + share) * lattice.spacing[a];
+        water.position[a][p] = lattice.axis[a].at_place(place[a] + share);
       }
       exchanged.push_back({cell, fallen});
       fallen = 0;

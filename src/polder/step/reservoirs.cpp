@@ -32,9 +32,9 @@ std::vector<Column> columns_of(const Setup<Space>& setup, const Reservoir<Space>
   for (const auto& cell : reservoir.cells) {
     Column& column = columns[key(cell)];
     column.cells.push_back(cell);
-    const double below = std::clamp(head / lattice.spacing[up] - cell[up], 0.0, 1.0);
+    const double below = std::clamp(lattice.axis[up].place(head) - cell[up], 0.0, 1.0);
     const std::ptrdiff_t index = lattice.index(cell[0], cell[1], cell[2]);
-    column.target += below * grid.cell_porosity[index] * lattice.cell_volume() * setup.bodies.open_cell(index);
+    column.target += below * grid.cell_porosity[index] * lattice.cell_volume(cell) * setup.bodies.open_cell(index);
     column.stored +=
         grid.water_volume[index];  // by boxes: points that cross the edge side by side count little by little
   }
@@ -61,11 +61,12 @@ std::pair<std::array<int, 3>, double> surface_of(const Setup<Space>& setup, cons
   double left = column.stored;
   for (const auto& cell : column.cells) {
     const std::ptrdiff_t index = setup.lattice.index(cell[0], cell[1], cell[2]);
-    const double pores = grid.cell_porosity[index] * setup.lattice.cell_volume() * setup.bodies.open_cell(index);
-    if (left < pores) return {cell, (cell[Space::up] + std::max(left, 0.0) / pores) * setup.lattice.spacing[Space::up]};
+    const double pores = grid.cell_porosity[index] * setup.lattice.cell_volume(cell) * setup.bodies.open_cell(index);
+    if (left < pores)
+      return {cell, setup.lattice.axis[Space::up].at_place(cell[Space::up] + std::max(left, 0.0) / pores)};
     left -= pores;
   }
-  return {column.cells.back(), (column.cells.back()[Space::up] + 1) * setup.lattice.spacing[Space::up]};
+  return {column.cells.back(), setup.lattice.axis[Space::up].edge(column.cells.back()[Space::up] + 1)};
 }
 
 }  // namespace
@@ -82,7 +83,7 @@ std::vector<Exchange> exchange_with_reservoirs(const Setup<Space>& setup, double
     if (columns.empty()) continue;
     double missing = 0;
     for (const Column& column : columns) missing += column.missing();
-    const double size = parcel * setup.nominal_point_volume();
+    const double size = parcel * setup.nominal_point_volume(columns.front().cells.back());
     while (missing >= 0.5 * size) {
       Column& column = *std::max_element(columns.begin(), columns.end(),
                                          [](const Column& a, const Column& b) { return a.missing() < b.missing(); });
@@ -94,9 +95,10 @@ std::vector<Exchange> exchange_with_reservoirs(const Setup<Space>& setup, double
       for (int a = 0; a < Space::axes; ++a) {
         // across the column at a place that the id spreads evenly, just under the surface
         const double share = uniform(setup.numerics.seed, water.id[p], static_cast<std::uint64_t>(a));
-        water.position[a][p] =
-            a == up ? std::max(surface - 0.25 * lattice.spacing[up] / setup.points_per_axis, 1e-3 * lattice.spacing[up])
-                    : (cell[a] + share) * lattice.spacing[a];
+        water.position[a][p] = a == up
+                                   ? std::max(surface - 0.25 * lattice.axis[up].width(cell[up]) / setup.points_per_axis,
+                                              1e-3 * lattice.axis[up].width(0))
+                                   : lattice.axis[a].at_place(cell[a] + share);
         water.velocity[a][p] =
             0.5 * (grid.water_velocity[a][index] + grid.water_velocity[a][index + lattice.stride[a]]);
       }

@@ -55,7 +55,7 @@ struct PlaneOfRows {
 };
 
 /// Adds mass and momentum of component c and, `with_force`, the internal force.
-template <int c, bool with_force, class Space>
+template <int c, bool with_force, bool graded, class Space>
 void scatter_component(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk,
                        const Contribution<Space>& points, int count, double* mass_field, double* momentum_field,
                        double* force_field) {
@@ -63,7 +63,7 @@ void scatter_component(const Lattice<Space>& lattice, const ChunkWeights<Space>&
   const std::ptrdiff_t up = lattice.stride[1], back = lattice.stride[2];
   const auto &wy = chunk.weight[1][sy], &oy = chunk.offset[1][sy], &dy = chunk.derivative[1][sy];
   for (int l = 0; l < count; ++l) {
-    const SplineRow x = x_row<c>(chunk, l);
+    const SplineRow x = x_row<c, graded>(chunk, l);
     const Vec4 mass = points.mass[l] * x.weight;
     const Vec4 momentum = points.momentum[l] * x.weight + points.affine[0][l] * x.offset;
     const Vec4 momentum_y = points.affine[1][l] * x.weight;
@@ -106,14 +106,16 @@ void scatter_component(const Lattice<Space>& lattice, const ChunkWeights<Space>&
 template <int c, class Space>
 void scatter_value(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, const double* value, int count,
                    double* field) {
-  const Lattice<Space> own = lattice;  // stores to the field cannot change it
-  for (int l = 0; l < count; ++l) {
-    const Vec4 row = value[l] * x_row<c>(chunk, l).weight;
-    double* base = field + stencil_base<c>(chunk, l);
-    over_rows<c>(chunk, own, l, [&](std::ptrdiff_t at, double wy, double, double, double wz, double, double) {
-      store4(base + at, load4(base + at) + (wy * wz) * row);
-    });
-  }
+  const auto stride = lattice.stride;  // stores to the field cannot change it
+  by_spacing(lattice, [&]<bool graded>() {
+    for (int l = 0; l < count; ++l) {
+      const Vec4 row = value[l] * x_row<c, graded>(chunk, l).weight;
+      double* base = field + stencil_base<c>(chunk, l);
+      over_rows<c>(chunk, stride, l, [&](std::ptrdiff_t at, double wy, double, double, double wz, double, double) {
+        store4(base + at, load4(base + at) + (wy * wz) * row);
+      });
+    }
+  });
 }
 
 }  // namespace polder

@@ -124,10 +124,17 @@ struct Setup {
     return nullptr;
   }
 
-  double nominal_point_volume() const {
-    double v = lattice.cell_volume();
-    for (int a = 0; a < Space::axes; ++a) v /= points_per_axis;
-    return v;
+  /// Bulk volume of a point at the start, m³: in the cell at this place or with this index; in the smallest cells.
+  template <class Cell>
+  double nominal_point_volume(const Cell& cell) const {
+    return share_of_point(lattice.cell_volume(cell));
+  }
+  double nominal_point_volume() const { return share_of_point(lattice.cell_volume()); }
+
+ private:
+  double share_of_point(double cell_volume) const {
+    for (int a = 0; a < Space::axes; ++a) cell_volume /= points_per_axis;
+    return cell_volume;
   }
 };
 

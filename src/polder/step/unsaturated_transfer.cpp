@@ -70,7 +70,7 @@ void scatter_component(const Lattice<Space>& lattice, const SoilPoints<Space>& p
       force_z = (v * stress(axes - 1) / h[2]) * row.weight;
     }
     const std::ptrdiff_t base = stencil_base<c>(chunk, l);
-    over_rows<c>(chunk, lattice, l,
+    over_rows<c>(chunk, lattice.stride, l,
                  [&](std::ptrdiff_t at, double wy, double oy, double dy, double wz, double oz, double dz) {
                    const std::ptrdiff_t node = base + at;
                    store4(mass_field + node, load4(mass_field + node) + (wy * wz) * mass_row);
@@ -213,16 +213,17 @@ Motion gather_rates(const Setup<Space>& setup, const GridFields<Space>& grid, co
     Gathered<Space> gathered;
     double speed = 0;
     over_components<Space>([&]<int c>() {
-      gather_component<c, true>(lattice, chunk, count, grid.soil_velocity[c].data(), gathered);
+      gather_component<c, true, false>(lattice, chunk, count, grid.soil_velocity[c].data(), gathered);
       for (int l = 0; c == 0 && l < count; ++l) {
         const double* base = grid.soil_velocity[c].data() + stencil_base<c>(chunk, l);
         Vec4 sum{};
-        over_rows<c>(chunk, lattice, l, [&](std::ptrdiff_t at, double wy, double, double, double wz, double, double) {
-          sum += (wy * wz) * load4(base + at);
-        });
+        over_rows<c>(chunk, lattice.stride, l,
+                     [&](std::ptrdiff_t at, double wy, double, double, double wz, double, double) {
+                       sum += (wy * wz) * load4(base + at);
+                     });
         gathered.gradient[0][l] = sum_lanes(sum * difference_row);
       }
-      take_motion<c>(lattice, gathered, first, count, soil);
+      take_motion<c>(lattice, chunk, gathered, first, count, soil);
       for (int l = 0; l < count; ++l) {
         const std::size_t p = first + static_cast<std::size_t>(l);
         speed = std::max(speed, std::abs(gathered.value[l]) / lattice.spacing[c]);

@@ -43,7 +43,8 @@ void rub_along_walls(const Setup<Space>& setup, double dt, const SoilPoints<Spac
       const Pressed<Space>& pressed = beside.at(cell);
       if (pressed.volume <= 0) continue;
       const double normal = std::max(0.0, -pressed.stress[f.axis] / pressed.volume);
-      const double impulse = 0.5 * dt * f.coefficient * normal * lattice.face_area(f.axis);  // on each of two faces
+      const double impulse =
+          0.5 * dt * f.coefficient * normal * lattice.face_area(f.axis, f.face);  // on each of two faces
       for (int t = 0; t < Space::axes; ++t) {
         if (t == f.axis) continue;
         for (const std::ptrdiff_t face : {cell, cell + lattice.stride[t]}) {

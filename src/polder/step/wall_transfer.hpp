@@ -43,7 +43,11 @@ void over_seen_nodes(const ThinWalls<Space>& walls, const Lattice<Space>& lattic
   const std::ptrdiff_t cell = cell_index(lattice, chunk, l);
   const WallStencil<Space>* stencil = walls.beside(cell);
   double weight[3][3], offset[3][3], derivative[3][3];
-  for (int a = 0; a < axes; ++a) spline_weights(chunk.delta[a][a == c][l], weight[a], offset[a], derivative[a]);
+  if (lattice.graded) {
+    for (int a = 0; a < axes; ++a) chunk.weights(a, a == c, l, weight[a], offset[a], derivative[a]);
+  } else {
+    for (int a = 0; a < axes; ++a) spline_weights(chunk.delta[a][a == c][l], weight[a], offset[a], derivative[a]);
+  }
   const int shift = chunk.face_shift[c][l] != 0;
   for (int k = 0; k < (axes == 3 ? 3 : 1); ++k)
     for (int j = 0; j < 3; ++j)

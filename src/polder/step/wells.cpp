@@ -19,7 +19,7 @@ constexpr double least = 1e-9;     // × a nominal point: what is left of one th
 template <class Space>
 double conductivity(const Setup<Space>& setup, const GridFields<Space>& grid, std::ptrdiff_t cell, bool vertical) {
   const double drag = grid.linear_drag[setup.anisotropic && vertical ? 1 : 0][cell];
-  return drag > 0 ? setup.lattice.cell_volume() / drag : 0;
+  return drag > 0 ? setup.lattice.cell_volume(cell) / drag : 0;
 }
 
 /// Peaceman (1978, 1983): a well's pressure is that of its cell at r₀ from its axis, with r₀ = 0.14 √(h₁² + h₂²) of the
@@ -32,12 +32,13 @@ double conductance_of(const Setup<Space>& setup, const GridFields<Space>& grid, 
   if (Space::axes == 2 && well.line)  // a slot: its cells have its pressure
     return open_slot * horizontal * well.length[i] / lattice.smallest_spacing();
   const double vertical = conductivity(setup, grid, well.cells[i], true);
-  double across[2] = {lattice.spacing[0], lattice.spacing[1]}, k[2] = {horizontal, vertical};
+  const std::array<int, 3> place = lattice.places(well.cells[i]);
+  double across[2] = {lattice.axis[0].width(place[0]), lattice.axis[1].width(place[1])}, k[2] = {horizontal, vertical};
   if (Space::axes == 3) {
     int number = 0;
     for (int a = 0; a < 3; ++a)
       if (a != (well.along < 0 ? Space::up : well.along) && number < 2) {
-        across[number] = lattice.spacing[a];
+        across[number] = lattice.axis[a].width(place[a]);
         k[number++] = a == Space::up ? vertical : horizontal;
       }
   }
@@ -66,7 +67,7 @@ std::vector<WellFlow> well_flows(const Setup<Space>& setup, double time, const G
         flows.push_back({cell, 0, 0, (*well.well.discharge)(time)*share});
         continue;
       }
-      const double height = (lattice.place(cell, Space::up) + 0.5) * lattice.spacing[Space::up];
+      const double height = lattice.axis[Space::up].centre(lattice.place(cell, Space::up));
       const double level = std::max(0.0, gamma * ((*well.well.head)(time)-height));
       if (well.well.only_takes && grid.pressure[cell] <= level) continue;
       flows.push_back({cell, conductance_of(setup, grid, well, i), level, 0});
@@ -90,8 +91,8 @@ std::vector<Exchange> exchange_with_wells(const Setup<Space>& setup, double dt, 
     if (found != inside.end()) found->second.push_back(p);
   }
   std::vector<std::uint8_t> leaves(water.size(), 0);
-  const double nominal = setup.nominal_point_volume();
   for (const WellFlow& flow : flows) {
+    const double nominal = setup.nominal_point_volume(flow.cell);
     double left = dt * (flow.conductance * (grid.pressure[flow.cell] - flow.level) + flow.rate);
     std::vector<std::size_t>& points = inside.at(flow.cell);
     const auto smaller = [&](std::size_t a, std::size_t b) {
@@ -119,7 +120,7 @@ std::vector<Exchange> exchange_with_wells(const Setup<Space>& setup, double dt, 
       water.id[p] = next_id++;
       for (int a = 0; a < Space::axes; ++a) {
         const double share = uniform(setup.numerics.seed, water.id[p], static_cast<std::uint64_t>(a));
-        water.position[a][p] = (lattice.place(flow.cell, a) + share) * lattice.spacing[a];
+        water.position[a][p] = lattice.axis[a].at_place(lattice.place(flow.cell, a) + share);
         water.velocity[a][p] =
             0.5 * (grid.water_velocity[a][flow.cell] + grid.water_velocity[a][flow.cell + lattice.stride[a]]);
       }
