@@ -16,16 +16,16 @@ inline constexpr int chunk_size = 32;
 template <class Space>
 struct alignas(64) ChunkWeights {
   static constexpr int axes = Space::axes;
-  double delta[axes][2][chunk_size];           // from the middle node, spacings
-  double weight[axes][2][3][chunk_size];       // of axes ≥ 1
-  double offset[axes][2][3][chunk_size];       // weight × (node − point), spacings
-  double derivative[axes][2][3][chunk_size];   // per spacing
-  int cell_base[chunk_size];                   // index of the stencil's first cell centre
-  int face_shift[axes][chunk_size];            // further steps to the first of the three faces
-  int cell[axes][chunk_size];                  // the point's cell
-  double share[axes][chunk_size];              // of its cell below the point; on graded lattices
-  double inertia[axes][2][chunk_size];         // Σ weight (node − point)², square spacings; likewise
-  const SplinePiece* row[2][chunk_size] = {};  // along x; likewise
+  double delta[axes][2][chunk_size];          // from the middle node, spacings
+  double weight[axes][2][3][chunk_size];      // of axes ≥ 1
+  double offset[axes][2][3][chunk_size];      // weight × (node − point), spacings
+  double derivative[axes][2][3][chunk_size];  // per spacing
+  int cell_base[chunk_size];                  // index of the stencil's first cell centre
+  int face_shift[axes][chunk_size];           // further steps to the first of the three faces
+  int cell[axes][chunk_size];                 // the point's cell
+  double share[axes][chunk_size];             // of its cell below the point; on graded lattices
+  double inertia[axes][2][chunk_size];        // Σ weight (node − point)², square spacings; likewise
+  const SplinePiece* row[2][chunk_size];      // along x; likewise
 
   void compute(const Lattice<Space>& lattice, const std::array<const double*, axes>& position, int count) {
     for (int l = 0; l < count; ++l) cell_base[l] = static_cast<int>(lattice.index(-1, -1, axes == 3 ? -1 : 0));

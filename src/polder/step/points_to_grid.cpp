@@ -43,6 +43,7 @@ void press_on(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::siz
   }
   x[up] = std::min(x[up] + half, lattice.length(up) * (1 - 1e-9));
   ChunkWeights<Space> chunk;
+  chunk.row[0][0] = chunk.row[1][0] = nullptr;  // for the compiler, which does not see that both ask for `graded`
   chunk.compute(lattice, at, 1);
   Vec4 row = splat4(-force);
   by_spacing(lattice, [&]<bool graded>() { row *= x_row<up, graded>(chunk, 0).weight; });
