@@ -39,6 +39,7 @@ void check_unsaturated_limits(const Sections& sections, const Model& model, Diag
     report(diagnostics, f.place_of(key), f.path_of(key),
            fmt::format("{} not available in the unsaturated formulation yet", what), std::string(remedy));
   };
+  if (model.numerics.transfer != Transfer::apic) refuse(sections.numerics, "transfer", "is", "leave it out");
   if (!model.walls.empty()) refuse(sections.walls.front(), "line", "walls are", "leave them out");
   if (!model.rains.empty())
     refuse(sections.rains.front(), "rate", "[[rain]] is", "give condition = \"rain\" by a [[seepage_boundary]]");

@@ -20,6 +20,7 @@ using Point2 = std::array<double, 2>;  ///< m; (x, height)
 using Point3 = std::array<double, 3>;  ///< m; in plane strain the third is unused
 
 enum class SpaceKind { plane_strain, solid };
+enum class Transfer { apic, xpic };  ///< of the soil's velocities between points and grid
 enum class InitialStress { k0, gravity, none };
 
 /// A polygon in the section (x, height); in 3d extruded across y from `across[0]` to `across[1]`.
@@ -188,10 +189,11 @@ struct Output {
 struct Numerics {
   double cfl = 0.8;                  ///< of the drained P-wave and of the fastest point
   double pressure_tolerance = 1e-6;  ///< relative residual of the pressure solve
-  double fbar = 0.5;                 ///< share of the cell's mean in a soil point's volume change
-  double wet_threshold = 0.5;        ///< fill above which a cell is wet
-  double pressure_weight = 1;        ///< θ of the step: 1 damped, ½ time-centred
-  double volume_correction = 0.3;    ///< share of the fill error removed in a step
+  Transfer transfer = Transfer::apic;
+  double fbar = 0.5;               ///< share of the cell's mean in a soil point's volume change
+  double wet_threshold = 0.5;      ///< fill above which a cell is wet
+  double pressure_weight = 1;      ///< θ of the step: 1 damped, ½ time-centred
+  double volume_correction = 0.3;  ///< share of the fill error removed in a step
   bool split_water = true;
   double max_step = std::numeric_limits<double>::infinity();  ///< s
   /// Unsaturated formulation: factor on the inertia, ≥ 1; and how many times the natural step a step may have while the

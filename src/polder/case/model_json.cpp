@@ -267,6 +267,7 @@ Json case_json(const Model& model) {
   const Numerics& n = model.numerics;
   json["numerics"] = {{"cfl", n.cfl},
                       {"pressure_tolerance", n.pressure_tolerance},
+                      {"transfer", word("numerics", "transfer", static_cast<int>(n.transfer))},
                       {"fbar", n.fbar},
                       {"wet_threshold", n.wet_threshold},
                       {"volume_correction", n.volume_correction},

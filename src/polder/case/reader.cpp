@@ -255,6 +255,7 @@ void read_output(const Fields& f, Output& output) {
 void read_numerics(const Fields& f, Numerics& numerics) {
   numerics.cfl = f.number("cfl", numerics.cfl);
   numerics.pressure_tolerance = f.number("pressure_tolerance", numerics.pressure_tolerance);
+  if (const Entry* transfer = f.find("transfer")) numerics.transfer = static_cast<Transfer>(transfer->number);
   numerics.fbar = f.number("fbar", numerics.fbar);
   numerics.wet_threshold = f.number("wet_threshold", numerics.wet_threshold);
   numerics.volume_correction = f.number("volume_correction", numerics.volume_correction);

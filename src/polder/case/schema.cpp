@@ -331,6 +331,12 @@ std::vector<Key> make_keys() {
        "Share of the cell that the drained P-wave crosses in a step."},
       {"numerics", "pressure_tolerance", "", "ratio", false, "1e-6", 1e-14, 1e-2, "1e-6",
        "Relative residual at which the pressure is solved."},
+      {"numerics", "transfer", "", "choice:apic|xpic", false, "apic", any, infinity, R"("xpic")",
+       "Of the soil's velocities between points and grid. `apic` damps motion shorter than some ten cells, as soil "
+       "does; "
+       "`xpic` (second order) hardly damps what the grid resolves: for elastic bodies that vibrate or are sheared "
+       "fast. It "
+       "takes a third longer."},
       {"numerics", "fbar", "", "ratio", false, "0.5", 0, 1, "0.5",
        "Share of the cell's mean in a soil point's change of volume, against locking."},
       {"numerics", "wet_threshold", "", "ratio", false, "0.5", 0.01, 0.99, "0.5", "Fill above which a cell is wet."},

@@ -61,6 +61,7 @@ struct GridFields {
   FaceField<Space> soil_velocity;   ///< kg m/s while points write to it, m/s afterwards
   FaceField<Space> soil_force;      ///< N, internal forces −Σ V σ'·∇N
   FaceField<Space> soil_before;     ///< m/s, velocity before the step's forces
+  FaceField<Space> unresolved;      ///< m/s, find_unresolved(); empty where transfers are by APIC alone
   FaceField<Space> water_mass;      ///< kg
   FaceField<Space> water_velocity;  ///< as soil_velocity
   FaceField<Space> water_before;    ///< m/s, velocity at the start of the step

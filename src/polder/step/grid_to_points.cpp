@@ -342,6 +342,10 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
       over_components<Space>([&]<int c>() {
         gather<c, true>(setup, chunk, walled, count, grid.soil_velocity[c], gathered);
         take_motion<c>(lattice, chunk, gathered, first, count, soil);
+        if (setup.numerics.transfer == Transfer::xpic) {
+          gather<c, 1>(setup, chunk, walled, count, {grid.unresolved[c].data()}, {displacement[c]});
+          for (int l = 0; l < count; ++l) soil.velocity[c][first + l] += displacement[c][l];
+        }
         for (int a = 0; a < Space::axes; ++a) {
           const double inverse = 1 / lattice.spacing[a];
           for (int l = 0; l < count; ++l) gradients.at[c][a][l] = gathered.gradient[a][l] * inverse;

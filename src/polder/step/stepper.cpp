@@ -11,6 +11,7 @@
 #include "polder/step/open_sides.hpp"
 #include "polder/step/points_to_grid.hpp"
 #include "polder/step/rain.hpp"
+#include "polder/step/unresolved.hpp"
 #include "polder/step/wall_friction.hpp"
 
 namespace polder {
@@ -64,6 +65,7 @@ Stepper<Space>::Stepper(Setup<Space> setup_, SoilPoints<Space> soil_, WaterPoint
       team(threads),
       solver_(setup.lattice) {
   if (!setup.rains.empty()) grid.rain = setup.lattice.make_array();
+  if (setup.numerics.transfer == Transfer::xpic) grid.unresolved = make_face_field(setup.lattice);
   if (setup.any_absorbs()) {
     grid.far_force = make_face_field(setup.lattice);
     grid.far_pressure = setup.lattice.make_array();
@@ -235,6 +237,7 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   if (!beside) report.volume = correct_volume(setup, grid, solver_, team);
   watch.lap(times.volume);
 
+  if (setup.numerics.transfer == Transfer::xpic) find_unresolved(setup, soil, soil_tiling_, grid, team);
   const Motion of_water = grid_to_water(setup, dt, grid, water_tiling_, water, team);
   const Motion of_soil = grid_to_soil(setup, dt, grid, soil_tiling_, soil, team);
   drift_water += of_water.drift;

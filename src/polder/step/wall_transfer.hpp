@@ -116,6 +116,15 @@ void gather_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& la
   }
 }
 
+/// Adds one quantity alone, of which a field's sign at the seen node is that of motion.
+template <int c, class Space>
+void scatter_value_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& lattice,
+                                const ChunkWeights<Space>& chunk, const double* value, int count, double* field) {
+  for (int l = 0; l < count; ++l)
+    over_seen_nodes<c>(walls, lattice, chunk, l,
+                       [&](const SeenNode<Space>& node) { field[node.at] += node.sign * value[l] * node.value(); });
+}
+
 /// The field's value alone.
 template <int c, class Space>
 void gather_value_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& lattice,
