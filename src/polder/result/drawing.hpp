@@ -43,10 +43,11 @@ struct Text {
   double angle = 0;  ///< degrees, counter-clockwise
 };
 
-/// Very many small squares of one layer, painted without gaps between neighbours; an SVG carries them as an image.
+/// Very many small rectangles of one layer, painted without gaps between neighbours; an SVG carries them as an image.
 struct Squares {
   std::vector<Point2> centres;
   std::vector<double> sides;
+  std::vector<double> stretch;  ///< width over height; empty: 1
   std::vector<Colour> colours;
 };
 

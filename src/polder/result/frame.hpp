@@ -49,6 +49,7 @@ struct Frame {
   std::uint64_t step = 0;
   int dimension = 2;                    ///< 2: plane strain, up is y; 3: up is z
   std::array<double, 3> size{0, 0, 0};  ///< m, of the model's box, as Model::size
+  std::array<GridAxis, 3> grid;         ///< of a run that is going on; points are drawn in the proportions of its cells
   std::string title;                    ///< of the case
   PointSet soil, water;
   std::vector<Line2> outlines;     ///< of the soil bodies at the start; closed

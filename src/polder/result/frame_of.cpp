@@ -68,6 +68,7 @@ Frame frame_of(const Simulation<Space>& run) {
   frame.step = state.step;
   frame.dimension = Space::axes;
   frame.size = run.model().size;
+  frame.grid = state.setup.lattice.axis;
   frame.title = run.model().title;
   for (const auto& body : run.model().soils) {
     Line2 outline = body.region.polygon;

@@ -82,9 +82,10 @@ struct Painter {
     cairo_set_antialias(painter, CAIRO_ANTIALIAS_NONE);
     for (std::size_t i = 0; i < squares.centres.size(); ++i) {
       const auto [x, y] = squares.centres[i];
-      const double half = squares.sides[i] / 2;
-      const double left = std::round((x - half) * scale) / scale, right = std::round((x + half) * scale) / scale;
-      const double top = std::round((y - half) * scale) / scale, bottom = std::round((y + half) * scale) / scale;
+      const double stretch = squares.stretch.empty() ? 1 : std::sqrt(squares.stretch[i]);
+      const double half = squares.sides[i] / 2, across = half * stretch, upwards = half / stretch;
+      const double left = std::round((x - across) * scale) / scale, right = std::round((x + across) * scale) / scale;
+      const double top = std::round((y - upwards) * scale) / scale, bottom = std::round((y + upwards) * scale) / scale;
       set_colour(painter, squares.colours[i]);
       cairo_rectangle(painter, left, top, std::max(right - left, 1 / scale), std::max(bottom - top, 1 / scale));
       cairo_fill(painter);

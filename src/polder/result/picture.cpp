@@ -22,6 +22,16 @@ double side_of(const Frame& frame, double volume) {
   return frame.dimension == 3 ? std::cbrt(volume) : std::sqrt(volume);
 }
 
+/// Width over height of the cells where a point is.
+double stretch_at(const Frame& frame, const Point3& p) {
+  const std::size_t up = frame.dimension == 3 ? 2 : 1;
+  const auto width = [&](std::size_t axis) {
+    const GridAxis& grid = frame.grid[axis];
+    return grid.width(grid.graded() ? grid.cell_at(p[axis]) : 0);
+  };
+  return width(0) / width(up);
+}
+
 bool shown(const Frame& frame, const PointSet& points, std::size_t p) {
   if (frame.dimension == 2) return true;
   return std::abs(points.position[p][1] - frame.size[1] / 2) <= 0.5 * side_of(frame, points.volume[p]);
@@ -73,6 +83,10 @@ ColourBar bar_for(std::span<const Frame> frames, const PictureField& field) {
     bar.range = *field.range;
   } else {
     Range range = usual_range(values);
+    const double least =
+        1e-3 * std::max(std::abs(range.low), std::abs(range.high));  // what differs by less is the same
+    if (!field.from_zero && range.high - range.low < least)
+      range = {0.5 * (range.low + range.high - least), 0.5 * (range.low + range.high + least)};
     if (field.from_zero) range = {std::min(0.0, range.low), std::max(range.high, 0.0)};
     if (field.from_zero && range.high == range.low) range.high = 1e-3;
     if (field.map == ColourMap::signs) {  // zero is the map's white
@@ -99,6 +113,7 @@ Squares squares_of(const Frame& frame, const PointSet& points, const std::string
     if (!shown(frame, points, p)) continue;
     squares.centres.push_back(panel.at(in_section(frame, points.position[p])));
     squares.sides.push_back(overlap * side_of(frame, points.volume[p]) * panel.scale());
+    squares.stretch.push_back(stretch_at(frame, points.position[p]));
     squares.colours.push_back(field ? colour_at(bar.map, (values[p] - bar.range.low) / (bar.range.high - bar.range.low))
                                     : plain);
   }

@@ -61,7 +61,7 @@ Outcome run_problem(const Problem& problem, const SuiteOptions& options) {
       } else {
         row.computed = std::log(coarse / fine) / std::log(refinement.ratio);
         row.pass = row.computed >= refinement.least;
-        if (refinement.least > 0) row.at += ", at least", row.reference = refinement.least;
+        if (refinement.least > 0) row.at += ", at least", row.reference = row.tolerance = refinement.least;
       }
       outcome.rows.push_back(row);
     }
