@@ -92,6 +92,17 @@ TEST(GroundLoad, ComesAndGoesWithItsStages) {
   EXPECT_NEAR(stress_between(run, 0, 4), 0, 100);
 }
 
+TEST(GroundLoad, OfTheFirstStageIsThereFromTheStart) {
+  Simulation<PlaneStrain> run(
+      read_text(
+          layer("[[load]]\nspan = [0, 4]\npressure = \"10 kPa\"\nfrom_stage = \"one\"\nuntil_stage = \"three\"\n")),
+      1);
+  while (run.stage_number() < 2) run.advance();
+  EXPECT_NEAR(stress_between(run, 0, 4), 10e3, 100);
+  while (!run.finished()) run.advance();
+  EXPECT_NEAR(stress_between(run, 0, 4), 0, 100);
+}
+
 TEST(GroundLoad, GrowsAlongItsSpan) {
   Simulation<PlaneStrain> run(
       read_text(layer("[[load]]\nspan = [0, 4]\npressure = \"0 kPa\"\npressure_at_end = \"20 kPa\"\n")), 1);

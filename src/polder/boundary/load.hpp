@@ -12,13 +12,16 @@
 
 namespace polder {
 
+/// The stage with which a load comes; −1: at the start, which is also when the first stage begins.
+inline int comes_with(const GroundLoad& load) { return load.from_stage > 0 ? load.from_stage : -1; }
+
 /// As stage number `stage` begins (−1: at the start) sets `load` of the points that a load reaches which comes then, to
 /// 1 + its place in model.loads, and clears it where a load goes. Points are columns of the seeding lattice.
 template <class Space>
 void mark_loaded_points(const Model& model, const Lattice<Space>& lattice, int stage, SoilPoints<Space>& soil) {
   bool comes = false;
   for (std::size_t k = 0; k < model.loads.size(); ++k) {
-    comes = comes || model.loads[k].from_stage == stage;
+    comes = comes || comes_with(model.loads[k]) == stage;
     if (stage >= 0 && model.loads[k].until_stage == stage)
       for (auto& load : soil.load)
         if (load == k + 1) load = 0;
@@ -33,7 +36,7 @@ void mark_loaded_points(const Model& model, const Lattice<Space>& lattice, int s
     if (!is_new && soil.position[Space::up][p] > soil.position[Space::up][at->second]) at->second = p;
   }
   for (std::size_t k = 0; k < model.loads.size(); ++k) {
-    if (model.loads[k].from_stage != stage) continue;
+    if (comes_with(model.loads[k]) != stage) continue;
     const auto [from, to] = reach_of(model.loads[k], model);
     for (const auto& [column, p] : highest) {
       const double x = along.middle(column.first);
