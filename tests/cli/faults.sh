@@ -9,6 +9,17 @@ LD_PRELOAD=$(dirname "$(command -v polder)")/libjumping_clock.so ASAN_OPTIONS=ve
 [ "$(hash_of whole)" = "$(hash_of clock)" ] || fail "the state differs"
 cmp whole/history.csv clock/history.csv || fail "history.csv differs"
 
+# A computer that miscalculates: exit status 3 with the reason, the state as it is then beside the last sound checkpoint,
+# from which the run goes on to the end that it would have reached.
+often=(--set 'output.checkpoint=0.01 s')
+LD_PRELOAD=$(dirname "$(command -v polder)")/libwrong_exp.so ASAN_OPTIONS=verify_asan_link_order=0 \
+  expect 3 polder run dike-seepage --out wrong "${short[@]}" "${often[@]}"
+has "$err" "nan)"
+grep -q '"status": "failed"' wrong/summary.json || fail "the summary does not say that the run failed"
+for file in failed.h5 checkpoint.h5; do [ -s wrong/$file ] || fail "$file is missing"; done
+expect 0 polder run dike-seepage --out wrong "${short[@]}" "${often[@]}" --resume
+[ "$(hash_of whole)" = "$(hash_of wrong)" ] || fail "the state differs after a miscalculation"
+
 # Bits that flip anywhere in a checkpoint: refused, and the one before is used.
 expect 0 polder run dike-seepage --out bits --until 0.2 --threads 1 --quiet
 expect 0 polder run dike-seepage --out bits --until 0.25 --threads 1 --quiet --resume
@@ -59,3 +70,4 @@ fi
 echo "record: fault bit-flipped-in-a-checkpoint 4 0 refused, the one before is used"
 echo "record: fault checkpoint-cut-off 4 0 refused, the one before is used"
 echo "record: fault clock-that-jumps 1 0 the same state and history"
+echo "record: fault computer-that-miscalculates 1 0 exit status 3, the state is kept, the checkpoint before is used"

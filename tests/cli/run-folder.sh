@@ -36,6 +36,7 @@ for _ in $(seq 100); do [ -e c/history.csv ] && break || sleep 0.1; done
 expect 2 polder run dike-seepage --out c --force --quiet
 has "$err" "another run"
 kill $! && wait $! || true
+echo "record: fault two-runs-in-one-folder 1 0 the second is refused"
 
 # Nothing can be written: under a file, and on a disk that is full (a limit on the size of files stands for it).
 touch file
