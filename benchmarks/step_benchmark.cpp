@@ -61,7 +61,7 @@ void pressure_solve(benchmark::State& state, double points) {
     block.grid.water_velocity = water;
     std::fill(block.grid.pressure.begin(), block.grid.pressure.end(), 0.0);
     state.ResumeTiming();
-    iterations += project(block.setup, Block<Space>::dt, block.grid, solver, block.team).iterations;
+    iterations += project(block.setup, Block<Space>::dt, {}, block.grid, solver, block.team).iterations;
   }
   const auto& wet = block.grid.wet;
   iterations /= static_cast<double>(state.iterations());
