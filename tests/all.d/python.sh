@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The reader of python/ and its example on the results of a short run.
-# Minutes: 3
+# Minutes: 1
 # Packages: python
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

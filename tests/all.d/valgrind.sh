@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # A short run under valgrind: values that nobody set, memory that is not ours or is lost, in the libraries, too.
-# Minutes: 3
+# Minutes: 2
 # Packages: all
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
