@@ -334,9 +334,9 @@ std::vector<Key> make_keys() {
       {"numerics", "transfer", "", "choice:apic|xpic", false, "apic", any, infinity, R"("xpic")",
        "Of the soil's velocities between points and grid. `apic` damps motion shorter than some ten cells, as soil "
        "does; "
-       "`xpic` (second order) hardly damps what the grid resolves: for elastic bodies that vibrate or are sheared "
-       "fast. It "
-       "takes a third longer."},
+       "`xpic` (second order) damps less of what the grid resolves, for elastic bodies that vibrate or are sheared "
+       "fast, "
+       "and takes a twentieth longer."},
       {"numerics", "fbar", "", "ratio", false, "0.5", 0, 1, "0.5",
        "Share of the cell's mean in a soil point's change of volume, against locking."},
       {"numerics", "wet_threshold", "", "ratio", false, "0.5", 0.01, 0.99, "0.5", "Fill above which a cell is wet."},
