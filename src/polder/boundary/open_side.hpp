@@ -3,7 +3,8 @@
 //
 // A side with a head H has the pressure ρ_w g (H − height) on its faces below H; above H it is a seepage face, where
 // water may leave at pressure zero and none comes in. What enters is owed to the row of cells along the side, and paid
-// in layers of points as soon as a layer has come in; points that pass the side are gone. A side may be open in a part
+// in layers of points as soon as a layer has come in; points that pass the side are gone. Beyond a side that only lets
+// out is air, at pressure zero: a head that no water reaches, and nothing is owed. A side may be open in a part
 // of it only (an orifice); the rest is a smooth wall to the water.
 #include <vector>
 
@@ -18,6 +19,7 @@ struct OpenSide {
   bool prescribes_head = true;
   Table value;               ///< head, m above datum; or discharge into the model, m/s; of the time in s
   PhaseBox::Opening part{};  ///< of the side
+  bool only_out = false;     ///< nothing comes in: beyond it is air
 
   /// Outward normal along the axis.
   double outward() const { return end == 0 ? -1 : 1; }

@@ -7,6 +7,7 @@
 #include "polder/boundary/in_stage.hpp"
 #include "polder/case/model.hpp"
 #include "polder/case/wall_line.hpp"
+#include "polder/case/wall_motion.hpp"
 #include "polder/grid/bodies.hpp"
 #include "polder/grid/thin_walls.hpp"
 
@@ -67,17 +68,25 @@ std::vector<FrictionFace> friction_faces(const Model& model, const Lattice<Space
   return faces;
 }
 
-/// The bodies among those that stand.
+/// The bodies among those that stand, where they are at `time`, with the velocities that take them in a step of `dt` to
+/// where they are then (0: at rest).
 template <class Space>
-Bodies<Space> make_bodies(const Model& model, const Lattice<Space>& lattice, const std::vector<bool>& stands) {
+Bodies<Space> make_bodies(const Model& model, const Lattice<Space>& lattice, const std::vector<bool>& stands,
+                          double time, double dt = 0) {
   std::vector<BodySection> sections;
   for (std::size_t w = 0; w < model.walls.size(); ++w) {
     const WallInput& wall = model.walls[w];
-    if (stands[w] && !wall.polygon.empty())
-      sections.push_back(
-          {wall.polygon, wall.rough ? std::numeric_limits<double>::infinity() : std::tan(wall.friction_angle)});
+    if (!stands[w] || wall.polygon.empty()) continue;
+    BodySection section{outline_at(wall, time),
+                        wall.rough ? std::numeric_limits<double>::infinity() : std::tan(wall.friction_angle),
+                        {},
+                        w};
+    const Point2 now = displacement_at(wall, time), then = displacement_at(wall, time + dt);
+    for (std::size_t k = 0; dt > 0 && k < 2; ++k) section.velocity[k] = (then[k] - now[k]) / dt;
+    sections.push_back(std::move(section));
   }
-  return sections.empty() ? Bodies<Space>() : Bodies<Space>(lattice, std::move(sections));
+  return sections.empty() ? Bodies<Space>()
+                          : Bodies<Space>(lattice, std::move(sections), model.unsaturated || any_body_moves(model));
 }
 
 }  // namespace polder

@@ -291,7 +291,8 @@ void check_monitors(const Checking& c) {
       {"surface", "|water-surface|soil-surface|"},
       {"integral",
        "|water-volume|soil-volume|kinetic-energy|settlement|largest-porosity|largest-uplift|eroded-area|water-front|"
-       "soil-front|"}};
+       "soil-front|"},
+      {"wall", "|force|soil-force|displacement|"}};
   for (std::size_t i = 0; i < c.model.monitors.size(); ++i) {
     const Monitor& monitor = c.model.monitors[i];
     const Fields& f = c.sections.monitors[i];
@@ -306,11 +307,20 @@ void check_monitors(const Checking& c) {
                fmt::format("\"{}\" cannot be recorded by a monitor of kind \"{}\"", monitor.quantity, kind),
                fmt::format("that kind takes {}", known));
       }
-    const bool integral = monitor.kind == MonitorKind::integral;
-    if (integral ? f.is_given("at") : f.is_given("region"))
-      report(c.diagnostics, f.place_of(integral ? "at" : "region"), f.path_of(integral ? "at" : "region"),
-             fmt::format("has no meaning for a monitor of kind \"{}\"", f.text("kind")), "leave it out");
-    if (!integral && !f.is_given("at"))
+    const bool integral = monitor.kind == MonitorKind::integral, wall = monitor.kind == MonitorKind::wall;
+    for (const auto& [key, means] : {std::pair{"at", !integral && !wall}, {"region", integral}, {"wall", wall}})
+      if (!means && f.is_given(key))
+        report(c.diagnostics, f.place_of(key), f.path_of(key),
+               fmt::format("has no meaning for a monitor of kind \"{}\"", f.text("kind")), "leave it out");
+    if (wall && !f.is_given("wall"))
+      report(c.diagnostics, f.place, f.path_of("wall"), "missing", "say of which body: wall = \"footing\"");
+    if (wall && monitor.wall >= 0 && c.model.walls[static_cast<std::size_t>(monitor.wall)].polygon.empty())
+      report(c.diagnostics, f.place_of("wall"), f.path_of("wall"), "is a thin wall, whose load is not computed",
+             "give the wall as a body, by a polygon or a box");
+    if (wall && c.model.unsaturated)
+      report(c.diagnostics, f.place_of("kind"), f.path_of("kind"),
+             "forces on walls are not available in the unsaturated formulation yet", "leave it out");
+    if (!integral && !wall && !f.is_given("at"))
       report(c.diagnostics, f.place, f.path_of("at"), "missing", "say where: at = [[\"1 m\", \"0.5 m\"]]");
     if (monitor.kind == MonitorKind::section && f.find("at") && monitor.at.size() != 2)
       report(c.diagnostics, f.place_of("at"), f.path_of("at"),

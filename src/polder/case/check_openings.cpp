@@ -24,9 +24,10 @@ void check_head_and_inflow(const Boundary& b, const Fields& f, Diagnostics& diag
   if (f.is_given("inflow") && !inflow)
     report(diagnostics, f.place_of("inflow"), f.path_of("inflow"), "only a side with an inflow has one",
            "set water = \"inflow\"");
-  if (f.is_given("span") && !head && !inflow)
-    report(diagnostics, f.place_of("span"), f.path_of("span"), "only a side with a head or an inflow has an opening",
-           "set water = \"head\" or water = \"inflow\"");
+  if (f.is_given("span") && !head && !inflow && b.water != WaterCondition::open)
+    report(diagnostics, f.place_of("span"), f.path_of("span"),
+           "only a side that is open, with a head or with an inflow has an opening",
+           "set water = \"open\", \"head\" or \"inflow\"");
 }
 
 /// An opening lies in its side and is at least a face of the grid wide; says so where it is moved to the grid.

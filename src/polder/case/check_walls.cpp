@@ -7,6 +7,7 @@
 #include "polder/case/geometry.hpp"
 #include "polder/case/sections.hpp"
 #include "polder/case/wall_line.hpp"
+#include "polder/case/wall_motion.hpp"
 
 namespace polder::case_file {
 namespace {
@@ -53,6 +54,69 @@ void check_body(const WallInput& wall, const Fields& f, const Model& model, Diag
     report(diagnostics, f.place_of(key), f.path_of(key), "encloses no area", "give corners that are not on one line");
 }
 
+bool stands_then(const WallInput& wall, double time) { return wall.until > time && wall.until_stage < 0; }
+
+/// A body that moves: how it is given, and what it may not meet on its way.
+void check_motion(std::size_t number, const Sections& sections, const Model& model, Diagnostics& diagnostics) {
+  const WallInput& wall = model.walls[number];
+  const Fields& f = sections.walls[number];
+  static constexpr std::pair<const char*, const char*> pairs[] = {{"velocity_x", "displacement_x"},
+                                                                  {"velocity_upward", "displacement_upward"}};
+  std::string_view key;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto [velocity, displacement] = pairs[k];
+    if (f.is_given(velocity)) key = velocity;
+    if (f.is_given(displacement)) key = displacement;
+    if (f.is_given(velocity) && f.is_given(displacement))
+      report(diagnostics, f.place_of(displacement), f.path_of(displacement), "is given besides a velocity",
+             fmt::format("keep one of {} and {}", velocity, displacement));
+    if (!wall.displacement[k].y.empty() && wall.displacement[k](0) != 0)
+      report(diagnostics, f.place_of(displacement), f.path_of(displacement),
+             fmt::format("is {:.6g} m at t = 0", wall.displacement[k](0)),
+             "begin with [\"0 s\", \"0 m\"], or draw the body where it begins");
+  }
+  if (key.empty()) return;
+  if (wall.polygon.empty()) {
+    report(diagnostics, f.place_of(key), f.path_of(key), "is for bodies: a thin wall stays on the faces of the grid",
+           "give the wall as a polygon or a box, at least a cell thick");
+    return;
+  }
+  if (!moves(wall)) return;
+  if (model.unsaturated)
+    report(diagnostics, f.place_of(key), f.path_of(key),
+           "bodies that move are not available in the unsaturated formulation yet",
+           "set model.formulation = \"double-point\", or leave it out");
+  if (model.periodic) return;  // has no walls, which has been reported
+  const std::size_t up = model.space == SpaceKind::solid ? 2 : 1;
+  const Bounds extent = bounds(wall.polygon);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double cell = model.cell[k == 0 ? 0 : up], thick = extent.high[k] - extent.low[k];
+    if (cell > 0 && thick < cell * (1 - 1e-9))
+      report(diagnostics, f.place_of(key), f.path_of(key),
+             fmt::format("moves a body that is {:.3g} m thin: the cells are {:.3g} m, and water would pass it", thick,
+                         cell),
+             "make the body thicker or the cell smaller");
+  }
+  double end = 0;
+  for (const Stage& stage : model.stages)
+    if (!stage.initial) end += stage.duration;
+  constexpr int samples = 200;
+  for (std::size_t other = 0; other < model.walls.size(); ++other) {
+    if (other == number || model.walls[other].polygon.size() < 3 || (moves(model.walls[other]) && other > number))
+      continue;
+    for (int i = 0; i <= samples; ++i) {
+      const double t = end * i / samples;
+      if (!stands_then(wall, t) || !stands_then(model.walls[other], t)) continue;
+      const Overlap common = overlap(outline_at(wall, t), outline_at(model.walls[other], t));
+      if (common.area <= 1e-9 * area(wall.polygon)) continue;
+      report(diagnostics, f.place_of(key), f.path_of(key),
+             fmt::format("takes the body into {} at t = {:.4g} s", sections.walls[other].path, t),
+             "let it stop before, or take another way");
+      break;
+    }
+  }
+}
+
 }  // namespace
 
 void check_walls(const Sections& sections, const Model& model, Diagnostics& diagnostics) {
@@ -72,6 +136,7 @@ void check_walls(const Sections& sections, const Model& model, Diagnostics& diag
     if (w.from_stage >= 0 && w.until_stage >= 0 && w.until_stage <= w.from_stage)
       report(diagnostics, f.place_of("until_stage"), f.path_of("until_stage"), "the wall vanishes before it is put in",
              "name a stage after that of from_stage");
+    check_motion(i, sections, model, diagnostics);
     if (f.is_given("friction_angle") && w.rough)
       report(diagnostics, f.place_of("friction_angle"), f.path_of("friction_angle"),
              "has no meaning on a rough wall, to which soil sticks", "leave it out, or set soil = \"smooth\"");

@@ -40,12 +40,9 @@ void check_unsaturated_limits(const Sections& sections, const Model& model, Diag
            fmt::format("{} not available in the unsaturated formulation yet", what), std::string(remedy));
   };
   if (model.numerics.transfer != Transfer::apic) refuse(sections.numerics, "transfer", "is", "leave it out");
-  if (!model.walls.empty()) refuse(sections.walls.front(), "line", "walls are", "leave them out");
   if (!model.rains.empty())
     refuse(sections.rains.front(), "rate", "[[rain]] is", "give condition = \"rain\" by a [[seepage_boundary]]");
   if (!model.wells.empty()) refuse(sections.wells.front(), "at", "wells are", "leave them out");
-  if (!model.changes.empty()) refuse(sections.changes.front(), "action", "changes of the ground are", "leave them out");
-  if (!model.loads.empty()) refuse(sections.loads.front(), "pressure", "loads on the ground are", "leave them out");
   if (!model.free_water.empty())
     refuse(sections.free_water.front(), "box", "free water is",
            "give the river's level as a head by a [[seepage_boundary]]");
@@ -64,9 +61,6 @@ void check_limits(const Sections& sections, const Model& model, Diagnostics& dia
   if (model.unsaturated) check_unsaturated_limits(sections, model, diagnostics);
   for (std::size_t i = 0; i < model.stages.size(); ++i) {
     const Fields& f = sections.stages[i];
-    if (model.unsaturated && model.stages[i].until_rest)
-      report(diagnostics, f.place_of("until_rest"), f.path_of("until_rest"),
-             "is not available in the unsaturated formulation yet", "give the stage the duration that it needs");
     for (const char* key : {"rest_energy", "rest_force"})
       if (!model.stages[i].until_rest && f.is_given(key))
         report(diagnostics, f.place_of(key), f.path_of(key), "has no meaning without until_rest",
@@ -90,13 +84,11 @@ void check_limits(const Sections& sections, const Model& model, Diagnostics& dia
   for (std::size_t i = 0; i < model.boundaries.size(); ++i) {
     const Boundary& b = model.boundaries[i];
     const Fields& f = sections.boundaries[i];
-    if (b.side && b.water == WaterCondition::head && b.soil == SoilCondition::none)
-      report(diagnostics, f.place_of("soil"), f.path_of("soil"), "soil cannot leave by a side with a head yet",
+    const bool lets_out = b.water == WaterCondition::head || b.water == WaterCondition::open;
+    if (b.side && lets_out && b.soil == SoilCondition::none)
+      report(diagnostics, f.place_of("soil"), f.path_of("soil"), "soil cannot leave by a side that water leaves by yet",
              "set soil = \"roller\" or \"rough\"");
-    if (b.side && b.water == WaterCondition::open)
-      report(diagnostics, f.place_of("water"), f.path_of("water"), "open sides of the model are not available yet",
-             "until they are, leave room for the water that flows out");
-    if (b.side && b.soil == SoilCondition::none)
+    if (b.side && b.soil == SoilCondition::none && !lets_out)
       report(diagnostics, f.place_of("soil"), f.path_of("soil"),
              "sides that the soil does not feel are not available yet", "set soil = \"roller\" or \"rough\"");
     if (b.soil == SoilCondition::absorbing && (!b.side || b.water != WaterCondition::closed))

@@ -146,6 +146,9 @@ struct WallInput {
   bool rough = false;           ///< soil sticks to it; else it slides along
   double friction_angle = 0;    ///< rad, between the wall and soil that slides along it
   double until = std::numeric_limits<double>::infinity();  ///< s; then it vanishes
+  /// Of a body that moves, along x and upwards from t = 0 on: its velocity, m/s, or its displacement, m, as functions
+  /// of time; empty: none.
+  std::array<Table, 2> velocity, displacement;
   int from_stage = -1;   ///< index into Model::stages; it is put in as that stage begins; −1: it is there
   int until_stage = -1;  ///< likewise; it vanishes as that stage begins; −1: none
 };
@@ -168,7 +171,7 @@ struct Stage {
   std::optional<double> mass_scaling, step_stretch;
 };
 
-enum class MonitorKind { point, section, surface, integral };
+enum class MonitorKind { point, section, surface, integral, wall };
 struct Monitor {
   std::string name;
   MonitorKind kind = MonitorKind::point;
@@ -176,6 +179,7 @@ struct Monitor {
   std::vector<Point3> at;  ///< points; the two ends of a section; where the height of a surface is taken
   bool follows_soil = true;
   Region region;  ///< of an integral; without corners: the whole model
+  int wall = -1;  ///< index into Model::walls, of kind wall
 };
 
 struct Output {

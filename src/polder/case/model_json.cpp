@@ -110,6 +110,11 @@ Json wall_json(const WallInput& w, const Model& model) {
   if (!w.polygon.empty()) json["polygon"] = w.polygon;
   if (w.friction_angle > 0) json["friction_angle"] = w.friction_angle;
   json["soil"] = w.rough ? "rough" : "smooth";
+  static constexpr const char* along[] = {"x", "upward"};
+  for (std::size_t k = 0; k < 2; ++k) {
+    add_table(json, (std::string("velocity_") + along[k]).c_str(), w.velocity[k]);
+    add_table(json, (std::string("displacement_") + along[k]).c_str(), w.displacement[k]);
+  }
   if (std::isfinite(w.until)) json["until"] = w.until;
   add_stage(json, "from_stage", w.from_stage, model);
   add_stage(json, "until_stage", w.until_stage, model);
@@ -188,10 +193,11 @@ Json condition_json(const SeepageCondition& c) {
   return json;
 }
 
-Json monitor_json(const Monitor& m) {
+Json monitor_json(const Monitor& m, const Model& model) {
   Json json{{"name", m.name}, {"kind", word("monitor", "kind", static_cast<int>(m.kind))}, {"quantity", m.quantity}};
   if (!m.at.empty()) json["at"] = m.at;
   if (!m.region.polygon.empty()) json["region"] = m.region.polygon;
+  if (m.wall >= 0) json["wall"] = model.walls[static_cast<std::size_t>(m.wall)].name;
   json["follows_soil"] = m.follows_soil;
   return json;
 }
@@ -259,7 +265,7 @@ Json case_json(const Model& model) {
   json["stage"] = Json::array();
   for (const Stage& s : model.stages) json["stage"].push_back(stage_json(s));
   json["monitor"] = Json::array();
-  for (const Monitor& m : model.monitors) json["monitor"].push_back(monitor_json(m));
+  for (const Monitor& m : model.monitors) json["monitor"].push_back(monitor_json(m, model));
   json["output"] = {{"history", model.output.history_interval},
                     {"snapshots", model.output.snapshot_interval},
                     {"pictures", model.output.pictures},

@@ -193,6 +193,11 @@ WallInput read_wall(const Fields& f, const Model& model, Diagnostics& diagnostic
     wall.polygon = {a, {b[0], a[1]}, b, {a[0], b[1]}};
   }
   wall.rough = f.text("soil") == "rough";
+  static constexpr const char* along[] = {"x", "upward"};
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (const Entry* v = f.find(std::string("velocity_") + along[k])) wall.velocity[k] = v->table;
+    if (const Entry* d = f.find(std::string("displacement_") + along[k])) wall.displacement[k] = d->table;
+  }
   wall.until = f.number("until", wall.until);
   wall.from_stage = stage_named(f, "from_stage", model, diagnostics);
   wall.until_stage = stage_named(f, "until_stage", model, diagnostics);
@@ -223,9 +228,10 @@ Stage read_stage(const Fields& f) {
   return stage;
 }
 
-Monitor read_monitor(const Fields& f) {
+/// After the walls.
+Monitor read_monitor(const Fields& f, const Model& model, Diagnostics& diagnostics) {
   static constexpr MonitorKind kinds[] = {MonitorKind::point, MonitorKind::section, MonitorKind::surface,
-                                          MonitorKind::integral};
+                                          MonitorKind::integral, MonitorKind::wall};
   Monitor monitor;
   monitor.name = f.text("name");
   if (const Entry* kind = f.find("kind")) monitor.kind = kinds[static_cast<std::size_t>(kind->number)];
@@ -233,6 +239,16 @@ Monitor read_monitor(const Fields& f) {
   monitor.at = points3(f.find("at"));
   monitor.region.polygon = points2(f.find("region"));
   monitor.follows_soil = f.flag("follows_soil");
+  if (const Entry* wall = f.find("wall")) {
+    std::vector<std::string> names;
+    for (std::size_t w = 0; w < model.walls.size(); ++w) {
+      if (model.walls[w].name == wall->text && !wall->text.empty()) monitor.wall = static_cast<int>(w);
+      if (!model.walls[w].name.empty()) names.push_back(model.walls[w].name);
+    }
+    if (monitor.wall < 0)
+      report(diagnostics, wall->place, f.path_of("wall"), fmt::format("there is no wall \"{}\"", wall->text),
+             names.empty() ? "give the [[wall]] a name" : suggestion(wall->text, names));
+  }
   return monitor;
 }
 
@@ -312,7 +328,7 @@ ReadResult read_case(const std::string& path, const std::vector<std::string>& ov
   for (const Fields& f : sections.boundaries) model.boundaries.push_back(read_boundary(f, diagnostics));
   for (const Fields& f : sections.stages) model.stages.push_back(read_stage(f));
   for (const Fields& f : sections.walls) model.walls.push_back(read_wall(f, model, diagnostics));
-  for (const Fields& f : sections.monitors) model.monitors.push_back(read_monitor(f));
+  for (const Fields& f : sections.monitors) model.monitors.push_back(read_monitor(f, model, diagnostics));
   for (const Fields& f : sections.loads) model.loads.push_back(read_load(f, model, diagnostics));
   for (const Fields& f : sections.wells) model.wells.push_back(read_well(f, model, diagnostics));
   for (const Fields& f : sections.rains) model.rains.push_back(read_rain(f, diagnostics));

@@ -212,7 +212,8 @@ std::vector<Key> make_keys() {
        "`absorbing`: the ground goes on beyond the side, waves leave (in initial stages a roller)."},
       {"boundary", "water", "", "choice:closed|open|reservoir|head|inflow|no-slip", false, "closed", any, infinity,
        R"("closed")",
-       "`closed`: no flow; `open`: water passes freely; `reservoir`: the head is given in a region; `head`: the head "
+       "`closed`: no flow; `open`: of a line, water passes freely, of a side, it falls out and none comes in; "
+       "`reservoir`: the head is given in a region; `head`: the head "
        "is "
        "given on a side, above it water may only leave (a seepage face); `inflow`: the discharge is given on a side; "
        "`no-slip`: a side is closed and water sticks to it."},
@@ -234,7 +235,8 @@ std::vector<Key> make_keys() {
       {"boundary", "inflow", "q", "table of velocity", false, "", -100, 100, R"("5 mm/s")",
        "Discharge into the model per area of the side: one value, a list [[time, discharge], …], or a CSV file."},
       {"boundary", "span", "", "list of length", false, "", any, infinity, R"(["0.45 m", "0.55 m"])",
-       "The part of a side with a head or an inflow that is open, [from, to] along x or of the height of an upright "
+       "The part of a side that is open, or with a head or an inflow, [from, to] along x or of the height of an "
+       "upright "
        "side, to the nearest face of the grid: an orifice. Left out: all of it."},
       // ---- wall
       {"wall", "name", "", "name", false, "", any, infinity, R"("sheet pile")", "For messages and the report."},
@@ -251,6 +253,14 @@ std::vector<Key> make_keys() {
        "Whether soil slides along the wall or sticks to it. Water always slides."},
       {"wall", "friction_angle", "δ", "angle", false, "0 deg", 0, 1.5533430342749532, R"("20 deg")",
        "Of soil that slides along it."},
+      {"wall", "velocity_x", "", "table of velocity", false, "", -100, 100, R"("5 mm/s")",
+       "Of a body that moves, along x, from t = 0 on: one value, a list [[time, velocity], …], or a CSV file."},
+      {"wall", "velocity_upward", "", "table of velocity", false, "", -100, 100, R"("-1 mm/s")", "Likewise, upwards."},
+      {"wall", "displacement_x", "", "table of length", false, "", -1e5, 1e5, R"([["0 s", "0 m"], ["2 s", "0.1 m"]])",
+       "Of a body that moves, along x, instead of its velocity: a list [[time, displacement], …] that begins with 0 at "
+       "t = 0, or a CSV file."},
+      {"wall", "displacement_upward", "", "table of length", false, "", -1e5, 1e5,
+       R"([["0 s", "0 m"], ["2 s", "-0.1 m"]])", "Likewise, upwards."},
       {"wall", "from_stage", "", "name", false, "", any, infinity, R"("dig")",
        "Name of the stage at whose beginning a thin wall is put in. Left out: it is there from the start."},
       {"wall", "until", "", "time", false, "", 0, 3.2e9, R"("2 s")",
@@ -292,12 +302,14 @@ std::vector<Key> make_keys() {
        "During this stage, in place of `numerics.step_stretch`."},
       // ---- monitor
       {"monitor", "name", "", "name", true, "", any, infinity, R"("toe")", "Heads its column of history.csv."},
-      {"monitor", "kind", "", "choice:point|section|surface|integral", false, "point", any, infinity, R"("point")",
-       "At points, through a section (a line of two points), of the height of a surface at points, or over a region."},
+      {"monitor", "kind", "", "choice:point|section|surface|integral|wall", false, "point", any, infinity, R"("point")",
+       "At points, through a section (a line of two points), of the height of a surface at points, over a region, or "
+       "of "
+       "a wall that is a body."},
       {"monitor", "quantity", "",
        "choice:pressure|porosity|velocity|displacement|effective-stress|water-velocity|discharge|water-surface|"
        "soil-surface|water-volume|soil-volume|kinetic-energy|settlement|largest-porosity|excess-pressure|wedge-angle|"
-       "largest-uplift|eroded-area|water-front|soil-front|total-stress|saturation|uplift-length",
+       "largest-uplift|eroded-area|water-front|soil-front|total-stress|saturation|uplift-length|force|soil-force",
        true, "", any, infinity, R"("displacement")",
        "What is recorded. At a point: pressure, excess-pressure (over the initial water table), porosity, velocity, "
        "displacement, effective-stress, water-velocity, wedge-angle (of the soil that is lifted over an opening whose "
@@ -307,11 +319,14 @@ std::vector<Key> make_keys() {
        "line, where the mean vertical effective stress is below 2 kPa); of a surface: water-surface, soil-surface; "
        "over a "
        "region: water-volume, soil-volume, kinetic-energy, settlement (mean, of the soil that was there at the start), "
-       "largest-porosity, largest-uplift, eroded-area, water-front, soil-front."},
+       "largest-porosity, largest-uplift, eroded-area, water-front, soil-front; of a wall: force (of soil and water on "
+       "it), soil-force, displacement."},
       {"monitor", "at", "", "points", false, "", any, infinity, R"([["3.5 m", "0.2 m"]])",
        "The points; of a section the two ends of the line; of a surface the places where its height is taken, each for "
        "the "
        "column of cells in which it lies."},
+      {"monitor", "wall", "", "name", false, "", any, infinity, R"("footing")",
+       "Name of the `[[wall]]` that a monitor of that kind is about."},
       {"monitor", "region", "", "polygon", false, "", any, infinity,
        R"([["2 m", "0 m"], ["4 m", "0 m"], ["4 m", "1.5 m"], ["2 m", "1.5 m"]])",
        "Of an integral; left out: the whole model."},

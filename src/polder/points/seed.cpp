@@ -5,6 +5,7 @@
 
 #include "polder/case/geometry.hpp"
 #include "polder/case/grid_sites.hpp"
+#include "polder/case/wall_motion.hpp"
 #include "polder/grid/bodies.hpp"
 #include "polder/math/random.hpp"
 
@@ -12,7 +13,7 @@ namespace polder {
 
 namespace {
 
-constexpr double least_cell = 0.1;   // as in grid/bodies.cpp: such cells count as covered
+constexpr double least_cell = 0.1;   // as in grid/bodies.cpp: such cells count as covered, where slivers are not merged
 constexpr double least_site = 1e-4;  // open share of a site below which it gets no point
 
 struct Site {
@@ -33,6 +34,7 @@ void over_sites(const Model& model, const std::array<GridAxis, 3>& grid, Body&& 
   std::vector<BodySection> bodies;
   for (const WallInput& wall : model.walls)
     if (!wall.polygon.empty()) bodies.push_back({wall.polygon});
+  const bool merges = model.unsaturated || any_body_moves(model);
   const auto covered = [&](const std::array<int, 3>& site) {  // the cell that the site is in
     Point2 low{}, high{};
     for (std::size_t part = 0; part < 2; ++part) {
@@ -41,7 +43,7 @@ void over_sites(const Model& model, const std::array<GridAxis, 3>& grid, Body&& 
       low[part] = grid[axis].edge(cell);
       high[part] = low[part] + grid[axis].width(cell);
     }
-    return open_part(bodies, low, high).first < least_cell;
+    return !merges && open_part(bodies, low, high).first < least_cell;
   };
   std::uint64_t number = 0;
   for (int k = 0; k < sites[2].count(); ++k)

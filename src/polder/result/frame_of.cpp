@@ -78,7 +78,7 @@ Frame frame_of(const Simulation<Space>& run) {
   const auto stands = standing(run.model(), run.stage_number(), run.time());
   for (std::size_t w = 0; w < stands.size(); ++w)
     if (stands[w] && !run.model().walls[w].polygon.empty()) {
-      Line2 outline = run.model().walls[w].polygon;
+      Line2 outline = outline_at(run.model().walls[w], run.time());
       outline.push_back(outline.front());
       frame.walls.push_back(std::move(outline));
     } else if (stands[w])

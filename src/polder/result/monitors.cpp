@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "polder/case/geometry.hpp"
+#include "polder/case/wall_motion.hpp"
 #include "polder/result/ground_stress.hpp"
 #include "polder/result/measures.hpp"
 #include "polder/step/face_loop.hpp"
@@ -88,6 +89,18 @@ double section(const Simulation<Space>& run, const Monitor& monitor) {
   return wet > 0 ? pressure / wet : 0;
 }
 
+/// Force on a body in the last step, or how far it has moved; along x and upwards. 0 where it is not there.
+template <class Space>
+Point2 of_wall(const Simulation<Space>& run, const Monitor& monitor) {
+  const auto wall = static_cast<std::size_t>(monitor.wall);
+  if (monitor.quantity == "displacement") return displacement_at(run.model().walls[wall], run.time());
+  Point2 sum{0, 0};
+  for (const BodyForce& force : run.state().body_force)
+    for (std::size_t k = 0; force.wall == wall && k < 2; ++k)
+      sum[k] += force.soil[k] + (monitor.quantity == "force" ? force.water[k] : 0);
+  return sum;
+}
+
 struct Part {
   std::string suffix, unit;
 };
@@ -97,6 +110,10 @@ template <class Space>
 std::vector<Part> parts_of(const Monitor& monitor) {
   const auto& q = monitor.quantity;
   const std::string up = Space::axes == 3 ? " z" : " y";
+  if (q == "force" || q == "soil-force") {
+    const char* unit = Space::axes == 3 ? "N" : "N/m";
+    return {{" fx", unit}, {" f" + up.substr(1), unit}};
+  }
   if (q == "displacement") return {{" ux", "m"}, {" u" + up.substr(1), "m"}};
   if (q == "velocity" || q == "water-velocity") return {{" vx", "m/s"}, {" v" + up.substr(1), "m/s"}};
   if (q == "effective-stress") return {{" sxx", "Pa"}, {" s" + up.substr(1) + up.substr(1), "Pa"}};
@@ -188,7 +205,7 @@ Monitors<Space>::Monitors(const Simulation<Space>& run, const std::vector<std::u
     columns_.push_back({"largest porosity", ""});
   }
   for (const Monitor& monitor : model_.monitors) {
-    if (monitor.kind == MonitorKind::integral || monitor.kind == MonitorKind::section) {
+    if (monitor.kind != MonitorKind::point && monitor.kind != MonitorKind::surface) {
       members_.emplace_back();
       before_.emplace_back();
       if (monitor.quantity == "eroded-area") before_.back() = soil_columns(run, monitor.region, true);
@@ -264,6 +281,8 @@ std::vector<double> Monitors<Space>::sample(const Simulation<Space>& run, double
     const Monitor& monitor = *follower.monitor;
     if (monitor.kind == MonitorKind::section) {
       row.push_back(section(run, monitor));
+    } else if (monitor.kind == MonitorKind::wall) {
+      for (const double v : of_wall(run, monitor)) row.push_back(v);
     } else if (monitor.kind == MonitorKind::surface) {
       const Point3& place = monitor.at[follower.place];
       row.push_back(monitor.quantity == "water-surface" ? water_surface(run, place) : soil_surface(run, place));

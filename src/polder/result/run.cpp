@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "polder/case/model_json.hpp"
+#include "polder/case/wall_motion.hpp"
 #include "polder/result/atomic_file.hpp"
 #include "polder/result/frame_of.hpp"
 #include "polder/result/history.hpp"
@@ -252,6 +253,10 @@ class Run {
     s.maxima = {{"speed", fastest_},
                 {"pressure_at_end", *std::max_element(p.begin(), p.end())},
                 {"underfilled_cells", audit.underfilled_most}};
+    if (any_body_moves(model_)) {
+      s.maxima["displaced_water"] = audit.displaced;
+      s.maxima["body_work"] = audit.body_work;
+    }
     if (!model_.changes.empty()) {
       s.maxima["placed_mass"] = audit.solid_in;
       s.maxima["excavated_mass"] = audit.solid_out;

@@ -97,6 +97,10 @@ void Audit<Space>::take(const Stepper<Space>& state, double dt) {
   }
 
   for (const Exchange& exchange : state.exchanged) book(state, exchange);
+  for (const BodyForce& force : state.body_force) {
+    displaced += force.displaced * dt;
+    body_work += force.power * dt;
+  }
 
   std::size_t wet = 0, over = 0, inside = 0, under = 0;
   const auto count_cell = [&](std::ptrdiff_t cell, const std::array<int, 3>& at) {

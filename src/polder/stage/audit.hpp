@@ -53,6 +53,8 @@ class Audit {
     archive("audit/water_out", water_out);
     archive("audit/solid_in", solid_in);
     archive("audit/solid_out", solid_out);
+    archive("audit/displaced", displaced);
+    archive("audit/body_work", body_work);
     for (std::size_t i = 0; i < sections_.size(); ++i) {
       const std::string name = "audit/section" + std::to_string(i) + "/";
       archive(name + "beyond_at_start", sections_[i].beyond_at_start);
@@ -68,8 +70,9 @@ class Audit {
   double overfilled_most = 0, underfilled_most = 0;
   std::uint64_t pressure_iterations = 0, volume_iterations = 0;
   std::uint64_t steps = 0;
-  double water_in = 0, water_out = 0;  ///< m³
-  double solid_in = 0, solid_out = 0;  ///< kg, by changes of the ground
+  double water_in = 0, water_out = 0;   ///< m³
+  double solid_in = 0, solid_out = 0;   ///< kg, by changes of the ground
+  double displaced = 0, body_work = 0;  ///< m³ of water, net, that made way for bodies; J, of the bodies on all
 
  private:
   struct Section {

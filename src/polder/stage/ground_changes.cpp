@@ -9,6 +9,8 @@
 #include "polder/case/grid_sites.hpp"
 #include "polder/points/seed.hpp"
 #include "polder/stage/initial.hpp"
+#include "polder/stage/unsaturated_start.hpp"
+#include "polder/step/pore_curves.hpp"
 #include "polder/step/soil_volume.hpp"
 
 namespace polder {
@@ -84,6 +86,7 @@ void excavate(const Model& model, const GroundChange& change, Stepper<Space>& st
   for (std::size_t p = 0; p < soil.size(); ++p) {
     goes[p] = in_region<Space>(change.region, position_of(soil, p));
     if (goes[p]) changed.solid_out += soil.mass[p];
+    if (goes[p] && state.unsaturated) changed.water.push_back({cell_at(lattice, position_of(soil, p)), -soil.water[p]});
   }
   if (change.water != ExcavatedWater::leave) {
     const Sites<Space> sites(model, lattice);
@@ -141,8 +144,19 @@ void place(const Model& model, const GroundChange& change, std::uint64_t first_i
   remove_points(water, displaced);
 
   if (level > 0) only.water_table = {{0, level}, {lattice.length(0), level}};
-  if (model.initial_stress == InitialStress::k0) set_k0_stress(only, state.setup, placed);
+  if (model.initial_stress == InitialStress::k0 && model.unsaturated)
+    set_unsaturated_k0_stress(only, state.setup, placed);
+  else if (model.initial_stress == InitialStress::k0)
+    set_k0_stress(only, state.setup, placed);
   start_law_state(state.setup, 0, placed);
+  for (std::size_t p = 0; state.unsaturated && p < placed.size();
+       ++p) {  // as moist as soil at this height at the start
+    const double p_water = pressure_at_start(state.setup, placed.position[0][p], placed.position[Space::up][p]);
+    const auto& pores = state.setup.pores[placed.material[p]];
+    placed.water[p] = water_ratio(pores, p_water, model.water.bulk_modulus).value * placed.porosity[p] *
+                      bulk_volume(state.setup, placed, p);
+    changed.water.push_back({cell_at(lattice, position_of(placed, p)), placed.water[p]});
+  }
   auto& soil = state.soil;
   const std::size_t first = append_points(soil, placed.size());
   const auto copy = [&](auto& to, const auto& from) { std::copy(from.begin(), from.end(), to.begin() + first); };
@@ -157,6 +171,7 @@ void place(const Model& model, const GroundChange& change, std::uint64_t first_i
   copy(soil.id, placed.id);
   copy(soil.material, placed.material);
   copy(soil.saturated, placed.saturated);
+  copy(soil.water, placed.water);
   for (const double m : placed.mass) changed.solid_in += m;
 }
 
@@ -166,6 +181,14 @@ void convert(const GroundChange& change, Stepper<Space>& state, ChangedMass& cha
   const auto material = static_cast<std::uint8_t>(change.material);
   for (std::size_t p = 0; p < soil.size(); ++p) {
     if (soil.material[p] == material || !in_region<Space>(change.region, position_of(soil, p))) continue;
+    if (state.unsaturated) {  // under the suction that it is under, the pores hold what the new material's do
+      const auto& unsaturated = *state.unsaturated;
+      const double more = (unsaturated.filled_by(state.setup, soil, p, material, state.grid) -
+                           unsaturated.filled_by(state.setup, soil, p, soil.material[p], state.grid)) *
+                          soil.porosity[p] * bulk_volume(state.setup, soil, p);
+      soil.water[p] += more;
+      changed.water.push_back({cell_at(state.setup.lattice, position_of(soil, p)), more});
+    }
     const double before = soil.mass[p];
     soil.mass[p] *=
         state.setup.materials[material].grain_density / state.setup.materials[soil.material[p]].grain_density;
@@ -213,6 +236,7 @@ ChangedMass change_ground(const Model& model, std::size_t stage, Stepper<Space>&
     if (change.kind == ChangeKind::convert) convert(change, state, changed);
     state.points_changed();
   }
+  if (state.unsaturated) state.unsaturated->ground_changed(state.setup, state.soil);
   return changed;
 }
 

@@ -13,6 +13,8 @@ namespace polder {
 
 namespace {
 
+constexpr double no_water = -1e6;  // m, a head below everything
+
 struct SideOf {
   int axis, end;  // end 0: low, 1: high
 };
@@ -123,15 +125,22 @@ Setup<Space> make_setup(const Model& model) {
   setup.loads = model.loads;
   setup.rains = model.rains;
   for (const Boundary& boundary : model.boundaries) {
-    if (boundary.side && (boundary.water == WaterCondition::head || boundary.water == WaterCondition::inflow)) {
+    const bool falls =
+        boundary.water == WaterCondition::open;  // out at no pressure: under a head that no water reaches
+    if (boundary.side &&
+        (falls || boundary.water == WaterCondition::head || boundary.water == WaterCondition::inflow)) {
       const auto [axis, end] = side_of<Space>(*boundary.side);
-      const bool head = boundary.water == WaterCondition::head;
+      const bool head = falls || boundary.water == WaterCondition::head;
       const int along = along_side<Space>(axis);
       PhaseBox::Opening part;
       if (boundary.span)
         part = {setup.lattice.axis[along].nearest_edge((*boundary.span)[0]),
                 setup.lattice.axis[along].nearest_edge((*boundary.span)[1])};
-      setup.open_sides.push_back({axis, end, head, head ? boundary.head : boundary.inflow, part});
+      setup.open_sides.push_back({axis, end, head,
+                                  falls  ? Table::constant(no_water)
+                                  : head ? boundary.head
+                                         : boundary.inflow,
+                                  part, falls});
       setup.water_box.opening[axis][end] = part;
       setup.water_box.wall[axis][end] = WallKind::open;
     }

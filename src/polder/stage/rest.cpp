@@ -6,6 +6,7 @@ namespace polder {
 
 template <class Space>
 Unrest unrest(const Stepper<Space>& state, double dt) {
+  if (state.unsaturated) return {state.unsaturated->calm.energy_over_weight, state.unsaturated->calm.unbalanced_now};
   const auto& setup = state.setup;
   const auto& grid = state.grid;
   const auto& lattice = setup.lattice;

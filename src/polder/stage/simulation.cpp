@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "polder/boundary/load.hpp"
 #include "polder/boundary/standing_walls.hpp"
@@ -20,6 +21,13 @@ namespace {
 constexpr std::uint64_t steps_at_rest = 100;  // in a row, until a stage counts as at rest
 
 template <class Space>
+void put_walls(const Model& model, const std::vector<bool>& stands, double time, Setup<Space>& setup) {
+  setup.walls = make_thin_walls(model, setup.lattice, stands);
+  setup.bodies = make_bodies(model, setup.lattice, stands, time);
+  setup.friction = friction_faces(model, setup.lattice, stands);
+}
+
+template <class Space>
 Stepper<Space> make_stepper(const Model& model, int threads) {
   Setup<Space> setup = make_setup<Space>(model);
   SeededPoints<Space> points = seed_points<Space>(model, setup.lattice);
@@ -29,6 +37,9 @@ Stepper<Space> make_stepper(const Model& model, int threads) {
   else if (model.initial_stress == InitialStress::k0)
     set_k0_stress(model, setup, points.soil);
   start_law_state(setup, 0, points.soil);
+  const double start = std::accumulate(model.stages.begin(), model.stages.end(), 0.0,
+                                       [](double t, const Stage& s) { return s.initial ? t - s.duration : t; });
+  put_walls(model, standing(model, 0, start), start, setup);
   return Stepper<Space>(std::move(setup), std::move(points.soil), std::move(points.water), threads);
 }
 
@@ -41,6 +52,9 @@ Simulation<Space>::Simulation(const Model& model, int threads)
     (stage.initial ? time_ : end_time_) += stage.initial ? -stage.duration : stage.duration;
   stage_ends_.assign(model_.stages.size(), -1);
   restless_.assign(model_.stages.size(), 0);
+  bodies_move_ = any_body_moves(model_);
+  stepper_.setup.weighs_bodies = std::any_of(model_.monitors.begin(), model_.monitors.end(),
+                                             [](const Monitor& m) { return m.kind == MonitorKind::wall; });
   set_numerics();
   raise_walls();
 }
@@ -69,9 +83,7 @@ void Simulation<Space>::raise_walls() {
   std::vector<bool> now = standing(model_, stage_, time_);
   if (now == standing_) return;
   standing_ = std::move(now);
-  stepper_.setup.walls = make_thin_walls(model_, stepper_.setup.lattice, standing_);
-  stepper_.setup.bodies = make_bodies(model_, stepper_.setup.lattice, standing_);
-  stepper_.setup.friction = friction_faces(model_, stepper_.setup.lattice, standing_);
+  put_walls(model_, standing_, time_, stepper_.setup);
 }
 
 /// s until the next gate vanishes: a step ends there.
@@ -81,6 +93,22 @@ double Simulation<Space>::to_next_gate() const {
   for (const WallInput& wall : model_.walls)
     if (stands_at(wall, time_)) least = std::min(least, wall.until - time_);
   return least;
+}
+
+/// The natural step, shortened where a body would go more than a quarter of a cell in it.
+template <class Space>
+double Simulation<Space>::step_of_bodies(double dt) const {
+  const auto& spacing = stepper_.setup.lattice.spacing;
+  for (int turn = 0; turn < 20; ++turn) {
+    double way = 0;  // cells
+    for (const WallInput& wall : model_.walls) {
+      const Point2 now = displacement_at(wall, time_), then = displacement_at(wall, time_ + dt);
+      way = std::max({way, std::abs(then[0] - now[0]) / spacing[0], std::abs(then[1] - now[1]) / spacing[Space::up]});
+    }
+    if (way <= 0.25) break;
+    dt *= std::max(0.1, 0.2 / way);
+  }
+  return dt;
 }
 
 template <class Space>
@@ -93,10 +121,11 @@ StepReport Simulation<Space>::advance() {
   control.hold_water = stage.hold_water;
   control.body_force = body_force;
   control.event = !stage.initial;
+  if (stage.until_rest) control.rest_force = stage.rest_force;
   if (stage.ramp > 0) control.gravity_factor = std::min(1.0, time_in_stage_ / stage.ramp);
 
   guards_.before_step(stepper_, time_);
-  const double natural = stepper_.natural_step();
+  const double natural = bodies_move_ ? step_of_bodies(stepper_.natural_step()) : stepper_.natural_step();
   const double left = stage.duration - time_in_stage_;
   const double until = std::min(left, to_next_gate());
   double dt = natural >= until * (1 - 1e-9) ? until : natural;
@@ -108,6 +137,7 @@ StepReport Simulation<Space>::advance() {
     throw RunFailure(fmt::format("the time step collapsed to {:.3g} s at t = {:.6g} s (fastest point: {:.3g} cells/s)",
                                  dt, time_, stepper_.motion.speed));
   control.time = time_ + dt;
+  if (bodies_move_) stepper_.setup.bodies = make_bodies(model_, stepper_.setup.lattice, standing_, time_, dt);
   const StepReport report = stepper_.advance(control, dt);
   time_in_stage_ += dt;
   time_ += dt;
@@ -121,7 +151,7 @@ StepReport Simulation<Space>::advance() {
   audit_.pressure_iterations += static_cast<std::uint64_t>(report.pressure.iterations);
   audit_.volume_iterations += static_cast<std::uint64_t>(report.volume.iterations);
   guards_.take(stepper_, audit_, report, unsound, time_,
-               !stage.initial && stage.ramp <= 0 && !stepper_.setup.driven() && !body_force);
+               !stage.initial && stage.ramp <= 0 && !stepper_.setup.driven() && !bodies_move_ && !body_force);
   if (stage.until_rest && time_in_stage_ >= stage.ramp) {
     const Unrest now = unrest(stepper_, dt);
     const bool calm = now.energy <= stage.rest_energy && now.force <= stage.rest_force;

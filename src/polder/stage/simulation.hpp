@@ -79,11 +79,13 @@ class Simulation {
   void set_numerics();
   void raise_walls();
   double to_next_gate() const;
+  double step_of_bodies(double dt) const;
 
   Model model_;
   Stepper<Space> stepper_;
   Audit<Space> audit_;
   Guards<Space> guards_;
+  bool bodies_move_ = false;
   std::vector<bool> standing_;  ///< of the model's walls, in the stepper's set-up
   std::uint64_t stage_ = 0, calm_steps_ = 0;
   Array stage_ends_;  ///< s in each stage when it ended; −1: it has not

@@ -87,6 +87,8 @@ std::string flaw_of_indices(const Stepper<Space>& state) {
   for (std::size_t p = 0; p < soil.size(); ++p)
     if (soil.material[p] >= state.setup.materials.size() || soil.load[p] > state.setup.loads.size())
       return fmt::format("soil point {} has a material or a load that the case does not have", soil.id[p]);
+  if (state.unsaturated && !state.unsaturated->knows_conditions(state.setup))
+    return "the ground of a column is under a condition that the case does not have";
   return {};
 }
 

@@ -21,10 +21,17 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
 template <class Space>
 void damp_locally(const Setup<Space>& setup, double factor, GridFields<Space>& grid, Team& team);
 
-/// Lets the soil's velocity meet the bodies: on faces whose centre is inside one it does not go further in, and
-/// friction takes of the motion along the surface what the part that was stopped allows. After extrapolate_soil().
+/// Lets the soil's velocity, relative to theirs, meet the bodies: on faces whose centre is inside one it does not go
+/// further in, and friction takes of the motion along the surface what the part that was stopped allows. Faces that
+/// were stopped no longer respond to a pressure, and what stopped them is added to `body_impulse`. After
+/// extrapolate_soil(). `only(axis, face)`, where given: of these faces only.
 template <class Space>
-void meet_bodies(const Setup<Space>& setup, GridFields<Space>& grid);
+void meet_bodies(const Setup<Space>& setup, GridFields<Space>& grid,
+                 const std::function<bool(int, std::ptrdiff_t)>& only = {});
+
+/// The same for the water's velocity, without friction, where bodies move. After extrapolate_water().
+template <class Space>
+void water_meets_bodies(const Setup<Space>& setup, GridFields<Space>& grid);
 
 /// q = n(v_w − v_s) on the faces, and |q| for the next step's quadratic drag. After the pressure has acted and ghosts
 /// of the velocities are set.

@@ -2,6 +2,7 @@
 // Everything that lives on the grid during a step. Names follow docs/theory.md; per phase and per component.
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 #include "polder/grid/active_rows.hpp"
 #include "polder/grid/walls.hpp"
@@ -93,6 +94,8 @@ struct GridFields {
   Array far_pressure;                  ///< in the cells beyond
   std::array<Array, 2> far_impedance;  ///< Pa s/m against motion across the side and along it; likewise
   std::uint64_t far_is_known = 0;      ///< they have been taken
+  std::vector<std::array<double, 2>>
+      body_impulse;  ///< N s, of the soil on each body in the step, where it is asked for
   AlignedVector<std::uint8_t> wet;
   Layers layers, shift_layers;  ///< scratch of extrapolations, and of the shift's
   AlignedVector<std::uint8_t> soil_known;

@@ -7,6 +7,7 @@
 
 #include "polder/step/chunk_loop.hpp"
 #include "polder/step/gather.hpp"
+#include "polder/step/leave_body.hpp"
 #include "polder/step/soil_stress.hpp"
 #include "polder/step/wall_transfer.hpp"
 
@@ -86,29 +87,11 @@ bool beside_bodies(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, 
   return false;
 }
 
-/// Takes a point that has gone into a body out of it, and what moves it further in off its velocity.
-template <class Space, class Points>
-void leave_body(const Setup<Space>& setup, const PhaseBox& box, std::size_t p, Points& points) {
-  constexpr int up = Space::up;
-  const auto& lattice = setup.lattice;
-  const BodyContact at = setup.bodies.contact({points.position[0][p], points.position[up][p]});
-  if (at.distance >= 0) return;
-  std::array<double, 3> x = position_of(points, p);
-  setup.bodies.push_out(x);
-  for (int a = 0; a < Space::axes; ++a)
-    points.position[a][p] = std::clamp(x[a], lattice.axis[a].at_place(box.low[a] + wall_gap),
-                                       lattice.axis[a].at_place(box.high[a] - wall_gap));
-  const double into = points.velocity[0][p] * at.normal[0] + points.velocity[up][p] * at.normal[1];
-  if (into >= 0) return;
-  points.velocity[0][p] -= into * at.normal[0];
-  points.velocity[up][p] -= into * at.normal[1];
-}
-
 /// Moves a chunk's points by `displacement`, held inside the phase's box and, if `walled`, on their side of thin walls
 /// and, if `bodied`, out of bodies.
 template <class Space, class Points>
-void move_chunk(const Setup<Space>& setup, const PhaseBox& box, bool walled, bool bodied, std::size_t first, int count,
-                const double (&displacement)[Space::axes][chunk_size], Points& points) {
+void move_chunk(const Setup<Space>& setup, const PhaseBox& box, double dt, bool walled, bool bodied, std::size_t first,
+                int count, const double (&displacement)[Space::axes][chunk_size], Points& points) {
   const auto& lattice = setup.lattice;
   // points may pass a side that is open, to be taken out there, or the ends of a periodic model
   const auto gap = [&](int axis, int side) {
@@ -133,7 +116,7 @@ void move_chunk(const Setup<Space>& setup, const PhaseBox& box, bool walled, boo
         x = side == 0 ? std::max(x, low) : std::min(x, high);
       }
     }
-  for (int l = 0; bodied && l < count; ++l) leave_body(setup, box, first + static_cast<std::size_t>(l), points);
+  for (int l = 0; bodied && l < count; ++l) leave_body(setup, box, dt, first + static_cast<std::size_t>(l), points);
   for (int l = 0; walled && l < count; ++l) {
     std::array<double, 3> from{0, 0, 0}, to{0, 0, 0};
     for (int a = 0; a < Space::axes; ++a) from[a] = before[a][l], to[a] = points.position[a][first + l];
@@ -310,7 +293,7 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
         motion.drift = std::max(motion.drift, most_cells<c>(lattice, chunk, count, displacement[c]));
       });
       if (stretched) stretch_boxes(dt, porosity, first, count, water);
-      move_chunk(setup, setup.water_box, walled, bodied, first, count, displacement, water);
+      move_chunk(setup, setup.water_box, dt, walled, bodied, first, count, displacement, water);
     }
     return motion;
   });
@@ -354,7 +337,7 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
         motion.speed = std::max(motion.speed, most_cells<c>(lattice, chunk, count, gathered.value));
       });
       motion.drift = motion.speed * dt;
-      move_chunk(setup, setup.soil_box, walled, bodied, first, count, displacement, soil);
+      move_chunk(setup, setup.soil_box, dt, walled, bodied, first, count, displacement, soil);
 
       share_dilation(fbar, first, count, gradients, soil, dilation);
       update_soil(setup, dt, first, count, gradients, dilation, soil, plastic_shear);

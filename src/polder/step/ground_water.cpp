@@ -29,13 +29,16 @@ struct Surface {
 };
 
 template <class Space>
-Surface surface_of(const Lattice<Space>& lattice, const Array& bulk, std::ptrdiff_t lowest) {
+Surface surface_of(const Setup<Space>& setup, const Array& bulk, std::ptrdiff_t lowest) {
+  const auto& lattice = setup.lattice;
   Surface top;
   for (int level = 0; level < lattice.cells[Space::up]; ++level) {
     const double v = bulk[lowest + level * lattice.stride[Space::up]];
     top.height += v / lattice.face_area(Space::up);
     if (v > least_top * lattice.cell_volume()) top.level = level;
   }
+  for (int level = 0; setup.bodies.any() && level <= top.level; ++level)  // that the soil lies on
+    top.height += (1 - setup.bodies.open_cell(lowest + level * lattice.stride[Space::up])) * lattice.spacing[Space::up];
   return top;
 }
 
@@ -75,7 +78,7 @@ std::vector<int> ground_conditions(const Setup<Space>& setup, const SoilPoints<S
   }
   std::vector<int> ground(static_cast<std::size_t>(lattice.cells[0] * (Space::axes == 3 ? lattice.cells[1] : 1)), -1);
   over_columns(lattice, [&](std::size_t column, double x, std::ptrdiff_t lowest) {
-    const Surface top = surface_of(lattice, bulk, lowest);
+    const Surface top = surface_of(setup, bulk, lowest);
     double nearest = 1.5 * lattice.spacing[Space::up];
     if (top.level < 0) return;
     for (std::size_t i = 0; i < setup.pore_water.size(); ++i) {
@@ -101,7 +104,7 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
     return pores.relative[cell] * lattice.face_area(axis) / (pores.resistance[axis == Space::up][cell] * distance);
   };
   over_columns(lattice, [&](std::size_t column, double x, std::ptrdiff_t lowest) {
-    const Surface top = surface_of(lattice, pores.bulk, lowest);
+    const Surface top = surface_of(setup, pores.bulk, lowest);
     if (top.level < 0) return;
     const std::ptrdiff_t upper = lowest + top.level * lattice.stride[Space::up];
     const double above = top.height - (top.level + 0.5) * h;  // of the ground over the cell's centre
@@ -160,7 +163,7 @@ bool set_standing_water(const Setup<Space>& setup, const std::vector<int>& groun
   over_columns(lattice, [&](std::size_t column, double x, std::ptrdiff_t lowest) {
     if (ground[column] < 0 || setup.pore_water[ground[column]].kind != SeepageCondition::Kind::head) return;
     const SeepageCondition& given = setup.pore_water[ground[column]];
-    const Surface top = surface_of(lattice, pores.bulk, lowest);
+    const Surface top = surface_of(setup, pores.bulk, lowest);
     const double level = head_of(given, time, on_line(given.line, x).share);
     if (top.level < 0 || level <= top.height) return;
     any = true;

@@ -82,13 +82,14 @@ std::vector<Exchange> exchange_through_sides(const Setup<Space>& setup, double d
       for (int a = 0; a < Space::axes; ++a) at[a] = water.position[a][p];
       const auto cell = cell_of(lattice, at);
       const std::ptrdiff_t inside = lattice.index(cell[0], cell[1], cell[2]);
-      grid.owed[inside + (side.end == 0 ? -1 : 1) * lattice.stride[side.axis]] += water.volume[p];
+      if (!side.only_out) grid.owed[inside + (side.end == 0 ? -1 : 1) * lattice.stride[side.axis]] += water.volume[p];
       exchanged.push_back({inside, -water.volume[p]});
       leaves[p] = 1;
       any = true;
     }
   if (any) remove_points(water, leaves);
-  for (const OpenSide& side : setup.open_sides)
+  for (const OpenSide& side : setup.open_sides) {
+    if (side.only_out) continue;
     over_side(lattice, side,
               [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>& cell) {
                 double& owed = grid.owed[outside];
@@ -102,6 +103,7 @@ std::vector<Exchange> exchange_through_sides(const Setup<Space>& setup, double d
                   exchanged.push_back({inside, layer});
                 }
               });
+  }
   return exchanged;
 }
 

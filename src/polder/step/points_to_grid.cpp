@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "polder/case/ground_load.hpp"
 #include "polder/step/chunk_loop.hpp"
 #include "polder/step/face_loop.hpp"
 #include "polder/step/gather.hpp"
+#include "polder/step/loads.hpp"
 #include "polder/step/scatter.hpp"
 #include "polder/step/soil_volume.hpp"
 #include "polder/step/wall_transfer.hpp"
@@ -23,35 +23,6 @@ template <class Space>
 double flux_in_cell(const GridFields<Space>& grid, const Lattice<Space>& lattice, std::ptrdiff_t cell) {
   const Array& flux = grid.relative_flux[Space::up];
   return 0.5 * (flux[cell] + flux[cell + lattice.stride[Space::up]]);
-}
-
-/// A force (N, downwards) on the surface above a soil point of the given bulk volume: half the height that is left of
-/// its share of a cell.
-template <class Space>
-void press_on(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p, double volume, double force,
-              double* field) {
-  constexpr int up = Space::up;
-  const auto& lattice = setup.lattice;
-  const std::array<int, 3> own = cell_of(lattice, position_of(soil, p));
-  const double half =
-      0.5 * lattice.axis[up].width(own[up]) / setup.points_per_axis * volume / setup.nominal_point_volume(own);
-  std::array<double, Space::axes> x{};
-  std::array<const double*, Space::axes> at{};
-  for (int a = 0; a < Space::axes; ++a) {
-    x[a] = soil.position[a][p];
-    at[a] = &x[a];
-  }
-  x[up] = std::min(x[up] + half, lattice.length(up) * (1 - 1e-9));
-  ChunkWeights<Space> chunk;
-  chunk.row[0][0] = chunk.row[1][0] = nullptr;  // for the compiler, which does not see that both ask for `graded`
-  chunk.compute(lattice, at, 1);
-  Vec4 row = splat4(-force);
-  by_spacing(lattice, [&]<bool graded>() { row *= x_row<up, graded>(chunk, 0).weight; });
-  const std::ptrdiff_t base = stencil_base<up>(chunk, 0);
-  over_rows<up>(chunk, lattice.stride, 0,
-                [&](std::ptrdiff_t offset, double wy, double, double, double wz, double, double) {
-                  store4(field + base + offset, load4(field + base + offset) + (wy * wz) * row);
-                });
 }
 
 /// Clears face fields where points may write, and what body(first cell, count) clears of a row of cells.
@@ -188,23 +159,40 @@ void carried_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
-    double mass[chunk_size];
+    const bool walled = beside_walls(setup.walls, lattice, chunk, count);
+    double mass[chunk_size], water[chunk_size], solid[chunk_size], half[chunk_size];
     for (int l = 0; l < count; ++l) {
       const std::size_t p = first + l;
       const double n = soil.porosity[p];
       const double bulk = bulk_volume(setup, soil, p);
-      const double water = soil.saturated[p] ? n * bulk : 0, solid = soil.saturated[p] ? (1 - n) * bulk : 0;
-      mass[l] = setup.water.density * water;
-      const BoxOverlap<Space> box(lattice, position_of(soil, p),
-                                  half_edge<Space>(bulk, lattice.cell_volume(cell_places(chunk, l))),
-                                  setup.soil_box.low, setup.soil_box.high);
-      box.over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
-        grid.water_volume[cell] += share * water;
-        grid.saturated_solid[cell] += share * solid;
-      });
+      water[l] = soil.saturated[p] ? n * bulk : 0;
+      solid[l] = soil.saturated[p] ? (1 - n) * bulk : 0;
+      mass[l] = setup.water.density * water[l];
+      half[l] = half_edge<Space>(bulk, lattice.cell_volume(cell_places(chunk, l)));
     }
-    over_components<Space>(
-        [&]<int c>() { scatter_value<c>(lattice, chunk, mass, count, grid.carried_mass[c].data()); });
+    HalfEdges<Space> half_edges{half, {}};
+    half_edges.along.fill(half);
+    const auto share_out = [&](const double* what, Array& field) {
+      if (!walled && !setup.bodies.any()) {
+        for (int l = 0; l < count; ++l)
+          BoxOverlap<Space>(lattice, position_of(soil, first + static_cast<std::size_t>(l)), half[l],
+                            setup.soil_box.low, setup.soil_box.high)
+              .over_cells(lattice, [&](std::ptrdiff_t cell, double share) { field[cell] += share * what[l]; });
+        return;
+      }
+      over_boxes(
+          setup, soil.position, setup.soil_box, first, count, chunk, walled, half_edges, [&](int l) { return what[l]; },
+          [&](std::ptrdiff_t cell, double part) { field[cell] += part; });
+    };
+    share_out(water, grid.water_volume);
+    share_out(solid, grid.saturated_solid);
+    over_components<Space>([&]<int c>() {
+      if (!walled) return scatter_value<c>(lattice, chunk, mass, count, grid.carried_mass[c].data());
+      for (int l = 0; l < count; ++l)
+        over_seen_nodes<c>(setup.walls, lattice, chunk, l, [&](const SeenNode<Space>& node) {
+          grid.carried_mass[c][node.at] += mass[l] * node.value();
+        });
+    });
   });
   for (int c = 0; c < Space::axes; ++c) fold(grid.carried_mass[c], c, false, setup.soil_box, lattice);
 }
@@ -221,7 +209,6 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
                  for (auto* field : {&grid.linear_drag[1], &grid.quadratic_drag[1]})
                    if (setup.anisotropic) std::fill_n(field->begin() + first, count, 0.0);
                });
-  const double columns = std::pow(setup.points_per_axis, Space::axes - 1);  // of points in a cell
 
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     const Upcoming<Space> upcoming(lattice, soil.home, first, count);
@@ -248,6 +235,14 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
                 [&](std::ptrdiff_t cell, double part) { grid.quadratic_drag[1][cell] += part; });
     }
     const double* volume = content.volume;
+    double pressed[chunk_size];  // over which the stress acts: in a cell that a body cuts, as if it filled the cell
+    if (setup.bodies.merges()) {
+      for (int l = 0; l < count; ++l) {
+        const double open = setup.bodies.own_share(cell_index(lattice, chunk, l));
+        pressed[l] = open > 0 ? volume[l] / open : volume[l];
+      }
+      volume = pressed;
+    }
     const double* mass = soil.mass.data() + first;
     over_components<Space>([&]<int c>() {
       double *masses = grid.soil_mass[c].data(), *momenta = grid.soil_velocity[c].data();
@@ -262,16 +257,7 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
         scatter_component<c, true, graded>(lattice, chunk, contribution, count, masses, momenta, forces);
       });
     });
-    for (int l = 0; l < count && !setup.loads.empty(); ++l) {
-      const std::size_t p = first + l;
-      if (soil.load[p] == 0) continue;
-      const std::array<int, 3> column = cell_of(lattice, reference_of(soil, p));
-      const double width = lattice.axis[0].width(column[0]) / setup.points_per_axis;
-      const double pressure =
-          pressure_on(setup.loads[soil.load[p] - 1], time, soil.position[0][p], soil.reference[0][p], width);
-      press_on(setup, soil, p, volume[l], pressure * lattice.face_area(Space::up, column) / columns,
-               grid.soil_force[Space::up].data());
-    }
+    press_loads(setup, soil, first, count, content.volume, time, grid.soil_force[Space::up].data());
   });
 
   for (int c = 0; c < Space::axes; ++c) {
@@ -360,7 +346,8 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
       grid.fill[cell] = open > 0 ? grid.water_volume[cell] / (grid.cell_porosity[cell] * cell_volume * open) : 0;
       if (setup.single_point) {  // soil that carries its water ends where its grains do: what is above is not pores
         const double saturated = grid.saturated_solid[cell];
-        grid.fill[cell] = (grid.water_volume[cell] + saturated) / (grid.cell_porosity[cell] * cell_volume + saturated);
+        const double room = grid.cell_porosity[cell] * cell_volume * open + saturated;
+        grid.fill[cell] = open > 0 ? (grid.water_volume[cell] + saturated) / room : 0;
       }
       // a cell that is just half full is dry, whatever the sums round to
       grid.wet[cell] = grid.fill[cell] > setup.numerics.wet_threshold + 1e-9;

@@ -45,9 +45,15 @@ void smooth_weights(const Setup<Space>& setup, PoreFields<Space>& pores) {
 
 /// The nearest cell with soil: below, at the side, above.
 template <class Space>
-std::ptrdiff_t host_of(const Lattice<Space>& lattice, const PoreFields<Space>& pores, std::ptrdiff_t cell,
+std::ptrdiff_t host_of(const Setup<Space>& setup, const PoreFields<Space>& pores, std::ptrdiff_t cell,
                        const std::array<int, 3>& place) {
+  const auto& lattice = setup.lattice;
   const double least = hardly * lattice.cell_volume();
+  const auto walled = [&](std::ptrdiff_t from, std::ptrdiff_t step, int d, int a) {  // between it and d steps on
+    for (int k = 0; k < d; ++k)
+      if (setup.walls.blocked(a, step > 0 ? from + (k + 1) * step : from + k * step)) return true;
+    return false;
+  };
   for (int d = 1; d <= 3; ++d)
     for (const int sign : {-1, 1})
       for (int turn = 0; turn < Space::axes; ++turn) {
@@ -55,7 +61,8 @@ std::ptrdiff_t host_of(const Lattice<Space>& lattice, const PoreFields<Space>& p
         std::array<int, 3> at = place;
         at[a] += sign * d;
         const std::ptrdiff_t other = cell + sign * d * lattice.stride[a];
-        if (inside(lattice, at) && pores.bulk[other] > least) return other;
+        if (inside(lattice, at) && pores.bulk[other] > least && !walled(cell, sign * lattice.stride[a], d, a))
+          return other;
       }
   return -1;
 }
@@ -79,6 +86,10 @@ void choose_leaders(const Setup<Space>& setup, GridFields<Space>& grid, PoreFiel
     };
     each([&](std::ptrdiff_t f, int i, int j, int k) {
       leader[f] = static_cast<std::int8_t>(Leader::itself);
+      if (grid.soil_mass[c][f] <= 0 && grid.soil_force[c][f] != 0 && borne(f - s)) {  // of a load on the surface
+        grid.soil_force[c][f - s] += grid.soil_force[c][f];
+        grid.soil_force[c][f] = 0;
+      }
       if (grid.soil_mass[c][f] <= 0 || borne(f)) return;
       const int place = c == 0 ? i : c == 1 ? j : k;
       leader[f] = static_cast<std::int8_t>(place > 0 && borne(f - s)                  ? Leader::below
@@ -95,6 +106,21 @@ void choose_leaders(const Setup<Space>& setup, GridFields<Space>& grid, PoreFiel
   }
 }
 
+/// The pressure of a cell that a body cuts acts on the body, too, as if the soil filled the cell: what is left of it
+/// moves as the faces do that the body does not hold. A cell that is covered has no pressure: what is beside it is
+/// pressed against the body.
+template <class Space>
+void complete_weights(const Setup<Space>& setup, PoreFields<Space>& pores) {
+  const double volume = setup.lattice.cell_volume(), least = hardly * volume;
+  over_all_cells(setup.lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>&) {
+    const double body = 1 - setup.bodies.own_share(cell);
+    for (auto& w : pores.weight)
+      w[cell] = setup.bodies.covered(cell)    ? 0
+                : body > 0 && w[cell] > least ? std::min(volume, w[cell] + body * volume)
+                                              : w[cell];
+  });
+}
+
 }  // namespace
 
 template <class Space>
@@ -103,6 +129,7 @@ void prepare_cells(const Setup<Space>& setup, double gravity, GridFields<Space>&
   const double volume = lattice.cell_volume(), least = hardly * volume;
   choose_leaders(setup, grid, pores, pores.weight);
   smooth_weights(setup, pores);
+  if (setup.bodies.any()) complete_weights(setup, pores);
   const AlignedVector<std::uint8_t> before = pores.active;
   over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
     bool active = pores.bulk[cell] > least;
@@ -111,7 +138,7 @@ void prepare_cells(const Setup<Space>& setup, double gravity, GridFields<Space>&
       for (auto& r : pores.resistance) r[cell] /= pores.bulk[cell];
     } else {
       for (const auto& w : pores.weight) active = active || w[cell] > least;
-      const std::ptrdiff_t host = active ? host_of(lattice, pores, cell, place) : -1;
+      const std::ptrdiff_t host = active ? host_of(setup, pores, cell, place) : -1;
       active = host >= 0;
       if (active) pores.host[cell] = static_cast<std::int32_t>(host);
     }
@@ -132,11 +159,13 @@ void prepare_cells(const Setup<Space>& setup, double gravity, GridFields<Space>&
         const int a = (Space::up + turn) % Space::axes;
         const std::ptrdiff_t s = lattice.stride[a];
         const double rise = a == Space::up ? setup.water.density * gravity * lattice.spacing[a] : 0;
-        if (place[a] > 0 && pores.active[cell - s] && (before[cell - s] || a == Space::up)) {
+        if (place[a] > 0 && pores.active[cell - s] && (before[cell - s] || a == Space::up) &&
+            !setup.walls.blocked(a, cell)) {
           grid.pressure[cell] = grid.pressure[cell - s] - rise;
           break;
         }
-        if (place[a] < lattice.cells[a] - 1 && pores.active[cell + s] && before[cell + s]) {
+        if (place[a] < lattice.cells[a] - 1 && pores.active[cell + s] && before[cell + s] &&
+            !setup.walls.blocked(a, cell + s)) {
           grid.pressure[cell] = grid.pressure[cell + s] + rise;
           break;
         }

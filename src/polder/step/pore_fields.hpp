@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "polder/grid/lattice.hpp"
-#include "polder/step/chunk.hpp"
+#include "polder/step/point_cells.hpp"
 #include "polder/step/setup.hpp"
 
 namespace polder {
@@ -76,7 +76,7 @@ struct PoreFields {
   std::array<AlignedVector<std::int8_t>, Space::axes> leader;
 
   // of points, in their order
-  std::vector<BoxOverlap<Space>> box;                     ///< the cells that a point counts for, until it moves
+  std::vector<PointCells<Space>> box;                     ///< the cells that a point counts for, until it moves
   std::array<Array, Space::axes * Space::axes> gradient;  ///< 1/s
   Array dilation;                                         ///< 1/s
   Array pore_volume;                                      ///< m³, at the start of the step

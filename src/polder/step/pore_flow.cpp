@@ -17,21 +17,25 @@ constexpr double closed_to = 1e-9;  // of its pores: error of a cell's balance a
 /// Share of a face that soil fills: beside the surface, that of the less filled cell; upwards, soil that fills a tenth
 /// of the lower cell carries the water of the whole.
 template <class Space>
-double open_share(const Lattice<Space>& lattice, const PoreFields<Space>& pores, int axis, std::ptrdiff_t low,
+double open_share(const Setup<Space>& setup, const PoreFields<Space>& pores, int axis, std::ptrdiff_t low,
                   std::ptrdiff_t high) {
-  const double volume = lattice.cell_volume();
-  const double share =
-      axis == Space::up ? 10 * pores.bulk[low] / volume : std::min(pores.bulk[low], pores.bulk[high]) / volume;
-  return std::clamp(share, 0.01, 1.0);
+  const double volume = setup.lattice.cell_volume();
+  const auto filled = [&](std::ptrdiff_t cell) {  // of what a body leaves open
+    return pores.bulk[cell] / (volume * std::max(0.1, setup.bodies.open_cell(cell)));
+  };
+  const double share = axis == Space::up ? 10 * filled(low) : std::min(filled(low), filled(high));
+  return std::clamp(share, 0.01, 1.0) * setup.bodies.open_face(axis, high);
 }
 
 /// k A/(γw d) of a face, m³/s/Pa.
 template <class Space>
-double conductance(const Lattice<Space>& lattice, const PoreFields<Space>& pores, int axis, std::ptrdiff_t face) {
+double conductance(const Setup<Space>& setup, const PoreFields<Space>& pores, int axis, std::ptrdiff_t face) {
+  const auto& lattice = setup.lattice;
+  if (setup.shut(axis, face)) return 0;
   const std::ptrdiff_t low = face - lattice.stride[axis];
   if (!pores.active[low] || !pores.active[face] || pores.host[low] >= 0 || pores.host[face] >= 0) return 0;
   const Array& a = pores.resistance[axis == Space::up];
-  return open_share(lattice, pores, axis, low, face) * lattice.face_area(axis) *
+  return open_share(setup, pores, axis, low, face) * lattice.face_area(axis) *
          (pores.relative[low] + pores.relative[face]) / (lattice.spacing[axis] * (a[low] + a[face]));
 }
 
@@ -78,7 +82,7 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
     for (int a = 0; a < Space::axes; ++a)
       over_face_rows(lattice, grid.rows, a, team, [&](std::ptrdiff_t first, int count, const auto&) {
         for (std::ptrdiff_t f = first; f < first + count; ++f) {
-          conducts[a][f] = conductance(lattice, pores, a, f);
+          conducts[a][f] = conductance(setup, pores, a, f);
           pores.flow[a][f] = flow(a, f);
         }
       });

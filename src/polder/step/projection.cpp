@@ -167,7 +167,7 @@ SolveResult project(const Setup<Space>& setup, double dt, const std::vector<Well
             const double n = grid.porosity[a][f];
             double v = n * grid.water_velocity[a][f] + (1 - n) * grid.soil_velocity[a][f];
             if (earlier > 0) v += earlier * (n * grid.water_before[a][f] + (1 - n) * grid.soil_before[a][f]);
-            return setup.bodies.open_face(a, f) * v;
+            return setup.bodies.open_face(a, f) * v + (1 + earlier) * setup.bodies.flux(a, f);
           };
           divergence += metric.area(a, i) * (flux(cell + lattice.stride[a]) - flux(cell));
         }

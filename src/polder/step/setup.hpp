@@ -66,6 +66,7 @@ struct Setup {
   std::vector<MovingSide> moving_sides;
   double gravity = 9.81;                           ///< m/s²
   double tilt = 0;                                 ///< rad, of gravity from the vertical towards +x
+  bool weighs_bodies = false;                      ///< forces on bodies are asked for
   bool periodic = false;                           ///< along x
   int points_per_axis = 2;                         ///< of a full cell at the start
   bool single_point = false;                       ///< soil points carry the water of their pores
@@ -148,7 +149,8 @@ struct StepControl {
   bool hold_water = false;   ///< no horizontal flow of water
   /// m/s², on the soil beside gravity: component, place (x, y, z) in m and time in s; empty: none.
   std::function<double(int, const std::array<double, 3>&, double)> body_force{};
-  bool event = true;  ///< not in an initial stage: absorbing sides let waves out
+  double rest_force = 0;  ///< out-of-balance force over the weight at which the stage is at rest; 0: it does not ask
+  bool event = true;      ///< not in an initial stage: absorbing sides let waves out
 };
 
 }  // namespace polder

@@ -222,7 +222,12 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   if (control.local_damping > 0) damp_locally(setup, control.local_damping, grid, team);
   extrapolate_water(setup, grid, grid.water_velocity, true, grid.layers, team);
   extrapolate_soil(setup, grid, team);
+  const bool weighs = setup.bodies.any() && (setup.bodies.moves() || setup.weighs_bodies);
+  grid.body_impulse.assign(weighs ? setup.bodies.sections().size() : 0, {0, 0});
   if (setup.bodies.any()) meet_bodies(setup, grid);
+  if (setup.bodies.moves()) water_meets_bodies(setup, grid);
+  body_force.clear();
+  if (weighs) body_force = body_forces(setup, dt, grid);
   if (!setup.friction.empty()) rub_along_walls(setup, dt, soil, grid);
   for (int c = 0; c < Space::axes; ++c) {
     if (control.hold_water && c != Space::up)

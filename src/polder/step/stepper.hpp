@@ -5,6 +5,7 @@
 #include <string>
 
 #include "polder/points/tiles.hpp"
+#include "polder/step/body_forces.hpp"
 #include "polder/step/fields.hpp"
 #include "polder/step/grid_to_points.hpp"
 #include "polder/step/projection.hpp"
@@ -77,6 +78,7 @@ class Stepper {
   Motion motion;                                        ///< of the last step
   double drift_water = 0, drift_soil = 0;               ///< cells, since the last sort
   std::vector<Exchange> exchanged;                      ///< with reservoirs, in the last step
+  std::vector<BodyForce> body_force;                    ///< in the last step, where it is asked for
   std::unique_ptr<UnsaturatedStep<Space>> unsaturated;  ///< of that formulation
   StepTimes times;
   Team team;

@@ -7,8 +7,11 @@
 #include "polder/case/geometry.hpp"
 #include "polder/step/chunk.hpp"
 #include "polder/step/face_loop.hpp"
+#include "polder/step/face_predictor.hpp"
 #include "polder/step/pore_curves.hpp"
+#include "polder/step/projection.hpp"
 #include "polder/step/soil_volume.hpp"
+#include "polder/step/wall_friction.hpp"
 
 namespace polder {
 
@@ -28,7 +31,7 @@ double pressure_at_start(const Setup<Space>& setup, double x, double height) {
 
 template <class Space>
 UnsaturatedStep<Space>::UnsaturatedStep(const Setup<Space>& setup, SoilPoints<Space>& soil, GridFields<Space>& grid)
-    : pores(setup.lattice, setup.materials.size()), ground_(ground_conditions(setup, soil)) {
+    : pores(setup.lattice, setup.materials.size()) {
   const auto& lattice = setup.lattice;
   over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
     grid.pressure[cell] = pressure_at_start(setup, (place[0] + 0.5) * lattice.spacing[0],
@@ -36,16 +39,33 @@ UnsaturatedStep<Space>::UnsaturatedStep(const Setup<Space>& setup, SoilPoints<Sp
     pores.active[cell] = 1;  // it has a pressure
   });
   for (std::size_t p = 0; p < soil.size(); ++p) {
-    double filled = 0;
-    BoxOverlap<Space>(lattice, position_of(soil, p), box_half(setup, soil, p), setup.soil_box.low, setup.soil_box.high)
-        .over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
-          if (share > 0)
-            filled +=
-                share * water_ratio(setup.pores[soil.material[p]], grid.pressure[cell], setup.water.bulk_modulus).value;
-        });
+    const double filled = filled_by(setup, soil, p, soil.material[p], grid);
     soil.water[p] = filled * soil.porosity[p] * bulk_volume(setup, soil, p);
-    weight_ += setup.gravity * (soil.mass[p] + setup.water.density * soil.water[p]);
   }
+  ground_.assign(static_cast<std::size_t>(lattice.cells[0] * (Space::axes == 3 ? lattice.cells[1] : 1)), -1);
+  ground_changed(setup, soil);
+}
+
+template <class Space>
+double UnsaturatedStep<Space>::filled_by(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p,
+                                         std::size_t material, const GridFields<Space>& grid) const {
+  double filled = 0;
+  PointCells<Space>(setup, position_of(soil, p), box_half(setup, soil, p))
+      .over_cells(setup.lattice, [&](std::ptrdiff_t cell, double share) {
+        if (share > 0)
+          filled += share * water_ratio(setup.pores[material], grid.pressure[cell], setup.water.bulk_modulus).value;
+      });
+  return filled;
+}
+
+template <class Space>
+void UnsaturatedStep<Space>::ground_changed(const Setup<Space>& setup, const SoilPoints<Space>& soil) {
+  const std::vector<int> now = ground_conditions(setup, soil);
+  for (std::size_t column = 0; column < now.size(); ++column)
+    if (now[column] >= 0) ground_[column] = now[column];
+  weight_ = 0;
+  for (std::size_t p = 0; p < soil.size(); ++p)
+    weight_ += setup.gravity * (soil.mass[p] + setup.water.density * soil.water[p]);
 }
 
 template <class Space>
@@ -72,7 +92,7 @@ double UnsaturatedStep<Space>::predict(const Setup<Space>& setup, const StepCont
         const int at = place[c] + (c == 0 ? i : 0);
         const double m = grid.soil_mass[c][f];
         grid.soil_response[c][f] = grid.soil_before[c][f] = 0;
-        const bool wall = at <= setup.soil_box.low[c] || at >= setup.soil_box.high[c];
+        const bool wall = at <= setup.soil_box.low[c] || at >= setup.soil_box.high[c] || setup.walls.blocked(c, f);
         if (!(m > 0) || wall || pores.held_mass[c][f] > 0.5 * m) {
           grid.soil_velocity[c][f] = 0;
           continue;
@@ -82,7 +102,7 @@ double UnsaturatedStep<Space>::predict(const Setup<Space>& setup, const StepCont
         if (pores.leader[c][f] != static_cast<std::int8_t>(Leader::itself)) continue;
         double force = grid.soil_force[c][f] + pressure_force(lattice, pores, grid.pressure, c, f);
         if (standing_water) force += standing_water_force(lattice, pores, weight, c, f);
-        sum += std::abs(force);
+        if (!setup.bodies.inside(c, f)) sum += std::abs(force);
         if (v != 0) force -= control.local_damping * std::abs(force) * (v > 0 ? 1 : -1);
         const double damped = 1 / (1 + control.damping * dt);
         grid.soil_velocity[c][f] = (v + dt * force / m) * damped;
@@ -137,7 +157,8 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
       std::ptrdiff_t to = pores.host[cell];
       for (int turn = 0; to < 0 && turn < Space::axes; ++turn) {
         const int a = (Space::up + turn) % Space::axes;
-        if (lattice.place(cell, a) > 0 && pores.bulk[cell - lattice.stride[a]] > pores.bulk[cell])
+        if (lattice.place(cell, a) > 0 && !setup.shut(a, cell) &&
+            pores.bulk[cell - lattice.stride[a]] > pores.bulk[cell])
           to = cell - lattice.stride[a];
       }
       if (to < 0) continue;
@@ -184,6 +205,11 @@ void UnsaturatedStep<Space>::judge(const Setup<Space>& setup, double dt, const S
     for (int s = 0; s < Space::stress; ++s) square += (s < 3 ? 1 : 2) * soil.stress[s][p] * soil.stress[s][p];
     return 0.5 * volume(p) * square / setup.pores[soil.material[p]].modulus;
   });
+  const double of_mass = ordered_sum(team, count, [&](std::ptrdiff_t p) {
+    return 0.5 * (soil.mass[p] + setup.water.density * soil.water[p]) *
+           speed_squared(soil, static_cast<std::size_t>(p));
+  });
+  calm.energy_over_weight = weight_ > 0 ? of_mass / (weight_ * setup.lattice.spacing[Space::up]) : 0;
   calm.energy_ratio = elastic > 0 ? kinetic / elastic : 0;
   calm.inertial_number = 0;
   for (std::ptrdiff_t p = 0; p < count; ++p) {
@@ -229,6 +255,13 @@ double UnsaturatedStep<Space>::pressure_at(const Setup<Space>& setup, const Grid
   constexpr int up = Space::up;
   const auto& lattice = setup.lattice;
   const double weight = setup.water.density * setup.gravity;
+  const auto own = cell_of(lattice, x);
+  const std::ptrdiff_t own_cell = lattice.index(own[0], own[1], own[2]);
+  const WallStencil<Space>* stencil = setup.walls.beside(own_cell);
+  const auto seen = [&](std::ptrdiff_t cell) {  // on the same side of thin walls
+    return stencil == nullptr || std::find(stencil->cell.begin(), stencil->cell.end(),
+                                           static_cast<std::int32_t>(cell - own_cell)) != stencil->cell.end();
+  };
   std::array<int, 3> low{0, 0, 0};
   std::array<double, 3> over{0, 0, 0};  // of the centre of that cell, cells
   for (int a = 0; a < Space::axes; ++a) {
@@ -260,7 +293,7 @@ double UnsaturatedStep<Space>::pressure_at(const Setup<Space>& setup, const Grid
       if (a + b > 0) of_upper = (std::min(of_upper, 0.5) * a + std::max(of_upper - 0.5, 0.0) * b) / (0.5 * (a + b));
     }
     for (const auto& [c, part] : {std::pair{lower, share * (1 - of_upper)}, std::pair{upper, share * of_upper}}) {
-      if (!pores.active[c]) continue;
+      if (!pores.active[c] || !seen(c)) continue;
       sum += part * (head(c) - weight * x[up]);
       shares += part;
     }
@@ -274,13 +307,17 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
                                             GridFields<Space>& grid, PressureSolver<Space>& solver, Team& team,
                                             Motion& motion, std::vector<Exchange>& exchanged) {
   const double gravity = setup.gravity * control.gravity_factor;
-  mixture_to_grid(setup, soil, tiling, {setup.numerics.mass_scaling, dt}, gravity, grid, pores, team);
+  mixture_to_grid(setup, soil, tiling, {setup.numerics.mass_scaling, dt}, gravity, control.time, grid, pores, team);
   prepare_cells(setup, setup.gravity, grid, pores);
   fill_pores(setup, grid, pores, team);
   pores.content_before = pores.content;
   pores.ratio_before = pores.ratio;
   const bool standing_water = set_standing_water(setup, ground_, control.time, setup.gravity, pores);
   const double unbalanced = predict(setup, control, dt, standing_water, grid, team);
+  if (setup.bodies.any()) {
+    extrapolate_soil(setup, grid, team);
+    meet_bodies(setup, grid);
+  }
 
   SolveResult result;
   std::vector<PoreExit> exits;
@@ -288,6 +325,11 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
     exits = pore_exits(setup, ground_, control.time, setup.gravity, pores);
     result = solve_pore_pressure(setup, dt, setup.gravity, exits, grid, pores, solver, team);
   }
+  if (!setup.friction.empty()) rub_along_walls(setup, dt, soil, grid);
+  const auto follows = [&](int c, std::ptrdiff_t f) {
+    const auto who = static_cast<Leader>(pores.leader[c][f]);
+    return who == Leader::below || who == Leader::above;
+  };
   for (int c = 0; c < Space::axes; ++c) {
     const std::ptrdiff_t s = setup.lattice.stride[c];
     Array& v = grid.soil_velocity[c];
@@ -296,8 +338,9 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
       if (who == Leader::below) v[f] = v[f - static_cast<std::size_t>(s)];
       if (who == Leader::above) v[f] = v[f + static_cast<std::size_t>(s)];
     }
-    reflect(v, c, true, setup.soil_box, setup.lattice);
   }
+  if (setup.bodies.any()) meet_bodies(setup, grid, follows);
+  for (int c = 0; c < Space::axes; ++c) reflect(grid.soil_velocity[c], c, true, setup.soil_box, setup.lattice);
 
   set_volume_change(setup, grid, pores, team);
   motion = strain_points(setup, dt, grid, tiling, soil, pores, team);
@@ -308,10 +351,13 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   show_water(setup, grid, team);
   judge(setup, dt, soil, team);
 
+  calm.unbalanced_now = unbalanced;
   calm.unbalanced += smoothing * (unbalanced - calm.unbalanced);
-  if (calm.unbalanced > loud_above)
+  // where the ground is to come to rest, steps that are longer must not keep it from what counts as rest
+  const double wanted = control.rest_force > 0 ? std::min(1.0, 0.3 * control.rest_force / calm_below) : 1;
+  if (calm.unbalanced > wanted * loud_above)
     calm.stretch = std::max(1.0, shrink * calm.stretch);
-  else if (calm.unbalanced < calm_below)
+  else if (calm.unbalanced < wanted * calm_below)
     calm.stretch = std::min(setup.numerics.step_stretch, grow * calm.stretch);
   return result;
 }

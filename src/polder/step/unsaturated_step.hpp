@@ -2,6 +2,8 @@
 // One time step of the unsaturated formulation: soil points carry effective stress, porosity and the water of their
 // pores; cells have one pressure, positive or suction, of which saturation and conductivity are functions.
 // docs/theory.md, "Unsaturated soil".
+#include <algorithm>
+
 #include "polder/step/ground_water.hpp"
 #include "polder/step/reservoirs.hpp"
 #include "polder/step/unsaturated_transfer.hpp"
@@ -14,10 +16,12 @@ inline constexpr int dilation_passes = 2;
 
 /// How fast the ground moves, and whether what steps longer than natural do to it still is at rest.
 struct Calm {
-  double unbalanced = 0;       ///< Σ|f| of the faces over the weight, smoothed over some ten steps
-  double stretch = 1;          ///< of the step, now
-  double inertial_number = 0;  ///< largest γ̇ h √(ρ*/p'), ρ* the density with the raised inertia, of this step
-  double energy_ratio = 0;     ///< kinetic energy, with it, over the elastic one, Σ V σ':σ'/(2M)
+  double unbalanced_now = 0;      ///< Σ|f| of the faces over the weight, of this step
+  double energy_over_weight = 0;  ///< kinetic energy of the mass itself over the weight times a cell's height, likewise
+  double unbalanced = 0;          ///< Σ|f| of the faces over the weight, smoothed over some ten steps
+  double stretch = 1;             ///< of the step, now
+  double inertial_number = 0;     ///< largest γ̇ h √(ρ*/p'), ρ* the density with the raised inertia, of this step
+  double energy_ratio = 0;        ///< kinetic energy, with it, over the elastic one, Σ V σ':σ'/(2M)
   double worst_inertial_number = 0, worst_energy_ratio = 0;  ///< while inertia was raised, since the start
 };
 
@@ -32,6 +36,20 @@ class UnsaturatedStep {
 
   /// The step that the ground's motion allows now, s.
   double natural_step(const Setup<Space>& setup) const;
+
+  /// After soil was placed or excavated: which conditions of the pore water hold for the ground as it is now (a column
+  /// that none is near keeps the one it had), and its weight.
+  void ground_changed(const Setup<Space>& setup, const SoilPoints<Space>& soil);
+
+  /// Whether all of these are conditions of the case.
+  bool knows_conditions(const Setup<Space>& setup) const {
+    const auto count = static_cast<std::int32_t>(setup.pore_water.size());
+    return std::all_of(ground_.begin(), ground_.end(), [&](std::int32_t i) { return i >= -1 && i < count; });
+  }
+
+  /// Water over the pores, –, that the cells' pressures give a point if its soil were of this material.
+  double filled_by(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p, std::size_t material,
+                   const GridFields<Space>& grid) const;
 
   /// Adaptive steps begin anew: a stage begins, loads may jump.
   void begin_stage() { calm.stretch = 1; }
@@ -52,6 +70,7 @@ class UnsaturatedStep {
     archive("pores/worst_inertial_number", calm.worst_inertial_number);
     archive("pores/worst_energy_ratio", calm.worst_energy_ratio);
     archive("pores/weight", weight_);
+    archive("pores/ground", ground_);
   }
 
   PoreFields<Space> pores;
@@ -66,8 +85,8 @@ class UnsaturatedStep {
   void judge(const Setup<Space>& setup, double dt, const SoilPoints<Space>& soil, Team& team);
   void show_water(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) const;
 
-  std::vector<int> ground_;
-  double weight_ = 0;  // N, of all soil at the start
+  std::vector<std::int32_t> ground_;  // number of the condition of each column's ground; −1: none is given
+  double weight_ = 0;                 // N, of all soil at the start
 };
 
 }  // namespace polder

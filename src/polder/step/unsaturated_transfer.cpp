@@ -6,6 +6,8 @@
 
 #include "polder/step/chunk_loop.hpp"
 #include "polder/step/gather.hpp"
+#include "polder/step/leave_body.hpp"
+#include "polder/step/loads.hpp"
 #include "polder/step/pore_curves.hpp"
 #include "polder/step/soil_stress.hpp"
 #include "polder/step/soil_volume.hpp"
@@ -17,8 +19,8 @@ namespace {
 
 /// The cells that a point counts for.
 template <class Space>
-BoxOverlap<Space> box_of(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p) {
-  return {setup.lattice, position_of(soil, p), box_half(setup, soil, p), setup.soil_box.low, setup.soil_box.high};
+PointCells<Space> box_of(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p) {
+  return {setup, position_of(soil, p), box_half(setup, soil, p)};
 }
 
 /// Of the four nodes of a row of faces, the lower one of the point's own cell: 0 or 1.
@@ -39,8 +41,23 @@ constexpr Vec4 difference_row{0, -1, 1, 0};
 
 /// What a point brings to the faces.
 struct Load {
-  double inertia[chunk_size], volume[chunk_size], weight[chunk_size], held[chunk_size];
+  double inertia[chunk_size], weight[chunk_size], held[chunk_size];
+  double volume[chunk_size];  // over which the stress acts: in a cell that a body cuts, as if it filled the cell
 };
+
+/// scatter_component() beside thin walls.
+template <int c, class Space>
+void scatter_beside(const Setup<Space>& setup, const SoilPoints<Space>& points, const Load& load, std::size_t first,
+                    int count, const ChunkWeights<Space>& chunk, GridFields<Space>& grid, double* held_field) {
+  double* force_field = grid.soil_force[c].data();
+  scatter_beside_walls<c, true, true>(setup.walls, setup.lattice, points, load.inertia, load.volume, first, count,
+                                      chunk, grid.soil_mass[c].data(), grid.soil_velocity[c].data(), force_field);
+  for (int l = 0; l < count; ++l)
+    over_seen_nodes<c>(setup.walls, setup.lattice, chunk, l, [&](const SeenNode<Space>& node) {
+      if (held_field) held_field[node.at] += load.held[l] * node.value();
+      if (c == Space::up) force_field[node.at] -= node.sign * load.weight[l] * node.value();
+    });
+}
 
 template <int c, class Space>
 void scatter_component(const Lattice<Space>& lattice, const SoilPoints<Space>& points, const Load& load,
@@ -90,10 +107,28 @@ void scatter_component(const Lattice<Space>& lattice, const SoilPoints<Space>& p
 /// A point's volume to the cells of its own layer along axis c, by centre splines across: the volume over which the
 /// cell difference of component c is taken.
 template <int c, class Space>
-void scatter_weight(const Lattice<Space>& lattice, const double* volume, int count, const ChunkWeights<Space>& chunk,
+void scatter_weight(const Setup<Space>& setup, const double* volume, int count, const ChunkWeights<Space>& chunk,
                     double* field) {
+  const auto& lattice = setup.lattice;
   for (int l = 0; l < count; ++l) {
     if (volume[l] == 0) continue;
+    const std::ptrdiff_t cell = cell_index(lattice, chunk, l);
+    if (const WallStencil<Space>* stencil = setup.walls.beside(cell); stencil != nullptr) {
+      for (int k = Space::axes == 3 ? -1 : 0; k <= (Space::axes == 3 ? 1 : 0); ++k)
+        for (int j = -1; j <= 1; ++j)
+          for (int i = -1; i <= 1; ++i) {
+            const int o[3] = {i, j, k};
+            double w = volume[l];
+            for (int a = 0; a < Space::axes; ++a) {
+              double weight[3], offset[3], derivative[3];
+              spline_weights(chunk.delta[a][0][l], weight, offset, derivative);
+              w *= a == c ? (o[a] == 0 ? 1.0 : 0.0) : weight[o[a] + 1];
+            }
+            const int number = (i + 1) + 3 * (j + 1) + (Space::axes == 3 ? 9 * (k + 1) : 0);
+            field[cell + stencil->cell[static_cast<std::size_t>(number)]] += w;
+          }
+      continue;
+    }
     constexpr Vec4 own{0, 1, 0, 0};
     const Vec4 row = volume[l] * (c == 0 ? own : centre_row(chunk.delta[0][0][l]).weight);
     double* base = field + chunk.cell_base[l];
@@ -118,8 +153,8 @@ double box_half(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::s
 
 template <class Space>
 void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
-                     InertiaRule inertia, double gravity, GridFields<Space>& grid, PoreFields<Space>& pores,
-                     Team& team) {
+                     InertiaRule inertia, double gravity, double time, GridFields<Space>& grid,
+                     PoreFields<Space>& pores, Team& team) {
   const auto& lattice = setup.lattice;
   for (auto* fields : {&grid.soil_mass, &grid.soil_velocity, &grid.soil_force, &pores.weight, &pores.held_mass})
     for (auto& field : *fields) std::fill(field.begin(), field.end(), 0.0);
@@ -131,14 +166,17 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
     chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
     use_cell_differences(chunk, count);
     Load load;
-    double yielding[chunk_size];
+    double yielding[chunk_size], bulk[chunk_size];
     bool any_held = false;
+    const bool walled = beside_walls(setup.walls, lattice, chunk, count);
     for (int l = 0; l < count; ++l) {
       const std::size_t p = first + static_cast<std::size_t>(l);
       const SoilMaterial& material = setup.materials[soil.material[p]];
       const double volume = bulk_volume(setup, soil, p), mass = soil.mass[p] + setup.water.density * soil.water[p];
       const double stretched = inertia.step / (difference_cfl * lattice.smallest_spacing());
-      load.volume[l] = volume;
+      bulk[l] = volume;
+      const double open = setup.bodies.own_share(cell_index(lattice, chunk, l));
+      load.volume[l] = open > 0 ? volume / open : volume;
       load.weight[l] = gravity * mass;
       load.inertia[l] =
           std::max(inertia.scaling * mass, volume * setup.pores[soil.material[p]].modulus * stretched * stretched);
@@ -159,9 +197,13 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
     }
     over_components<Space>([&]<int c>() {
       double* held = any_held ? pores.held_mass[c].data() : nullptr;
-      scatter_component<c>(lattice, soil, load, first, count, chunk, grid, held);
-      scatter_weight<c>(lattice, yielding, count, chunk, pores.weight[c].data());
+      if (walled)
+        scatter_beside<c>(setup, soil, load, first, count, chunk, grid, held);
+      else
+        scatter_component<c>(lattice, soil, load, first, count, chunk, grid, held);
+      scatter_weight<c>(setup, yielding, count, chunk, pores.weight[c].data());
     });
+    press_loads(setup, soil, first, count, bulk, time, grid.soil_force[Space::up].data());
   });
   for (std::ptrdiff_t cell = 0; cell < lattice.size; ++cell) {
     const double* sums = pores.sums.data() + 4 * cell;
@@ -210,11 +252,15 @@ Motion gather_rates(const Setup<Space>& setup, const GridFields<Space>& grid, co
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
     use_cell_differences(chunk, count);
+    const bool walled = beside_walls(setup.walls, lattice, chunk, count);
     Gathered<Space> gathered;
     double speed = 0;
     over_components<Space>([&]<int c>() {
-      gather_component<c, true, false>(lattice, chunk, count, grid.soil_velocity[c].data(), gathered);
-      for (int l = 0; c == 0 && l < count; ++l) {
+      if (walled)
+        gather_beside_walls<c, true, true>(setup.walls, lattice, chunk, count, grid.soil_velocity[c].data(), gathered);
+      else
+        gather_component<c, true, false>(lattice, chunk, count, grid.soil_velocity[c].data(), gathered);
+      for (int l = 0; c == 0 && !walled && l < count; ++l) {
         const double* base = grid.soil_velocity[c].data() + stencil_base<c>(chunk, l);
         Vec4 sum{};
         over_rows<c>(chunk, lattice.stride, l,
@@ -348,10 +394,20 @@ void move_points(const Setup<Space>& setup, double dt, const Tiling<Space>& tili
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       if (setup.materials[soil.material[p]].fixed) continue;
+      const std::array<double, 3> from = position_of(soil, p);
       for (int a = 0; a < Space::axes; ++a)
         soil.position[a][p] = std::clamp(soil.position[a][p] + dt * soil.velocity[a][p],
                                          (setup.soil_box.low[a] + wall_gap) * lattice.spacing[a],
                                          (setup.soil_box.high[a] - wall_gap) * lattice.spacing[a]);
+      if (setup.bodies.any()) {
+        const auto cell = cell_of(lattice, position_of(soil, p));
+        if (setup.bodies.near(lattice.index(cell[0], cell[1], cell[2]))) leave_body(setup, setup.soil_box, dt, p, soil);
+      }
+      if (setup.walls.any()) {
+        std::array<double, 3> to = position_of(soil, p);
+        stop_at_walls(lattice, setup.walls, from, to);
+        for (int a = 0; a < Space::axes; ++a) soil.position[a][p] = to[a];
+      }
     }
   });
 }
@@ -359,7 +415,7 @@ void move_points(const Setup<Space>& setup, double dt, const Tiling<Space>& tili
 #define POLDER_UNSATURATED_TRANSFER(Space)                                                                             \
   template double box_half(const Setup<Space>&, const SoilPoints<Space>&, std::size_t);                                \
   template void mixture_to_grid(const Setup<Space>&, const SoilPoints<Space>&, const Tiling<Space>&, InertiaRule,      \
-                                double, GridFields<Space>&, PoreFields<Space>&, Team&);                                \
+                                double, double, GridFields<Space>&, PoreFields<Space>&, Team&);                        \
   template Motion strain_points(const Setup<Space>&, double, const GridFields<Space>&, const Tiling<Space>&,           \
                                 SoilPoints<Space>&, PoreFields<Space>&, Team&);                                        \
   template void pores_to_grid(const Setup<Space>&, const SoilPoints<Space>&, const Tiling<Space>&, PoreFields<Space>&, \

@@ -21,11 +21,11 @@ struct InertiaRule {
 };
 
 /// Mass (of inertia), momentum and force (internal, weight) to the faces; volumes, water, resistances, weights to the
-/// cells. `gravity` in m/s².
+/// cells. `gravity` in m/s²; loads on the ground as at `time`.
 template <class Space>
 void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
-                     InertiaRule inertia, double gravity, GridFields<Space>& grid, PoreFields<Space>& pores,
-                     Team& team);
+                     InertiaRule inertia, double gravity, double time, GridFields<Space>& grid,
+                     PoreFields<Space>& pores, Team& team);
 
 /// Velocities and rates of strain to the points; dilation such that each cell's points change their volume as its
 /// faces' velocities say; then stress and porosity. The points have not moved yet. `grid.soil_velocity` is reflected.

@@ -35,8 +35,9 @@ struct SeenNode {
   }
 };
 
-/// body(node) over the stencil of point l for component c.
-template <int c, class Space, class Body>
+/// body(node) over the stencil of point l for component c. `own_difference`: the derivative along the component's own
+/// axis is the difference of the two faces of the point's cell.
+template <int c, bool own_difference = false, class Space, class Body>
 void over_seen_nodes(const ThinWalls<Space>& walls, const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk,
                      int l, Body&& body) {
   constexpr int axes = Space::axes;
@@ -49,6 +50,8 @@ void over_seen_nodes(const ThinWalls<Space>& walls, const Lattice<Space>& lattic
     for (int a = 0; a < axes; ++a) spline_weights(chunk.delta[a][a == c][l], weight[a], offset[a], derivative[a]);
   }
   const int shift = chunk.face_shift[c][l] != 0;
+  if constexpr (own_difference)
+    for (int i = 0; i < 3; ++i) derivative[c][i] = i == 1 - shift ? -1 : i == 2 - shift ? 1 : 0;
   for (int k = 0; k < (axes == 3 ? 3 : 1); ++k)
     for (int j = 0; j < 3; ++j)
       for (int i = 0; i < 3; ++i) {
@@ -74,7 +77,7 @@ void over_seen_nodes(const ThinWalls<Space>& walls, const Lattice<Space>& lattic
 
 /// Mass and momentum of component c; with `with_force`, the internal force too.
 // NOLINTBEGIN(readability-non-const-parameter): they are written in the lambda
-template <int c, bool with_force, class Space, class Points>
+template <int c, bool with_force, bool own_difference = false, class Space, class Points>
 void scatter_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& lattice, const Points& points,
                           const double* mass, const double* volume, std::size_t first, int count,
                           const ChunkWeights<Space>& chunk, double* mass_field, double* momentum_field,
@@ -82,7 +85,7 @@ void scatter_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& l
   constexpr int axes = Space::axes;
   for (int l = 0; l < count; ++l) {
     const std::size_t p = first + static_cast<std::size_t>(l);
-    over_seen_nodes<c>(walls, lattice, chunk, l, [&](const SeenNode<Space>& node) {
+    over_seen_nodes<c, own_difference>(walls, lattice, chunk, l, [&](const SeenNode<Space>& node) {
       double momentum = points.velocity[c][p] * node.value();
       for (int a = 0; a < axes; ++a) momentum += points.affine[c * axes + a][p] * lattice.spacing[a] * node.moment(a);
       mass_field[node.at] += mass[l] * node.value();
@@ -99,13 +102,13 @@ void scatter_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& l
 // NOLINTEND(readability-non-const-parameter)
 
 /// As gather_component().
-template <int c, bool with_gradient, class Space>
+template <int c, bool with_gradient, bool own_difference = false, class Space>
 void gather_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk,
                          int count, const double* field, Gathered<Space>& out) {
   for (int l = 0; l < count; ++l) {
     out.value[l] = 0;
     for (int a = 0; a < Space::axes; ++a) out.moment[a][l] = out.gradient[a][l] = 0;
-    over_seen_nodes<c>(walls, lattice, chunk, l, [&](const SeenNode<Space>& node) {
+    over_seen_nodes<c, own_difference>(walls, lattice, chunk, l, [&](const SeenNode<Space>& node) {
       const double v = node.sign * field[node.at];
       out.value[l] += node.value() * v;
       for (int a = 0; a < Space::axes; ++a) {
