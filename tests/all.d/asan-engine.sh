@@ -7,5 +7,5 @@ set -u
 rooms=(math material case grid points stage result)
 cmake --preset asan >/dev/null && cmake --build --preset asan --target "${rooms[@]/#/test_}" >&2 || exit 1
 export UBSAN_OPTIONS=print_stacktrace=1
-export LSAN_OPTIONS=suppressions=$PWD/tests/leaks.supp
+export LSAN_OPTIONS=print_suppressions=0:suppressions=$PWD/tests/leaks.supp
 part=engine exec scripts/run-tests build/asan -L "^($(IFS='|' && echo "${rooms[*]}"))\$"

@@ -8,5 +8,5 @@ engine=$(sed -n 's/^rooms=(\(.*\))$/\1/p' tests/all.d/asan-engine.sh)
 mapfile -t rooms < <(printf '%s\n' tests/*/*_test.cpp | grep -v '_long_test' | cut -d/ -f2 | sort -u | grep -vxF "${engine// /$'\n'}")
 cmake --preset asan >/dev/null && cmake --build --preset asan --target polder jumping_clock wrong_exp "${rooms[@]/#/test_}" >&2 || exit 1
 export UBSAN_OPTIONS=print_stacktrace=1
-export LSAN_OPTIONS=suppressions=$PWD/tests/leaks.supp
+export LSAN_OPTIONS=print_suppressions=0:suppressions=$PWD/tests/leaks.supp
 part=tools exec scripts/run-tests build/asan -LE "^(long|layout|${engine// /|})\$" -E '_NOT_BUILT$'  # the long ones
