@@ -1,4 +1,5 @@
 // A side that is open in a part of it only, against what a bed of fixed sand must do above it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "case_text.hpp"
@@ -7,10 +8,8 @@
 namespace polder {
 namespace {
 
-const std::string bed = R"(
-[model]
-size = ["0.6 m", "0.4 m"]
-cell = "0.025 m"
+/// Sand that does not move; its permeability follows.
+const std::string sand = R"(
 [[material]]
 name = "sand"
 law = "linear-elastic"
@@ -18,8 +17,14 @@ young_modulus = "1 MPa"
 fixed = true
 grain_density = "2660 kg/m3"
 porosity = 0.34
-permeability = "5e-3 m/s"
 drag = "darcy"
+permeability = )";
+
+const std::string bed = R"(
+[model]
+size = ["0.6 m", "0.4 m"]
+cell = "0.025 m"
+)" + sand + R"("5e-3 m/s"
 [[soil]]
 material = "sand"
 box = [["0 m", "0 m"], ["0.6 m", "0.2 m"]]
@@ -77,26 +82,17 @@ TEST(Orifice, UnderAHeadIsSymmetricAndTightBesideIt) {
 
 /// m²/s through the orifice of a bed of fixed sand under a head, 4 mm wide, on a given grid.
 double flow_through_4_mm(const std::string& grid, double width, double height) {
-  std::string text = R"(
+  const std::string text = fmt::format(R"(
 [model]
-size = ["WIDTH m", "HEIGHT m"]
-GRID
-[[material]]
-name = "sand"
-law = "linear-elastic"
-young_modulus = "1 MPa"
-fixed = true
-grain_density = "2660 kg/m3"
-porosity = 0.34
-permeability = "5e-4 m/s"
-drag = "darcy"
+size = [{0}, {1}]
+{2}{3}"5e-4 m/s"
 [[soil]]
 material = "sand"
-box = [["0 m", "0 m"], ["WIDTH m", "0.1 m"]]
+box = [[0, 0], [{0}, 0.1]]
 [[free_water]]
-box = [["0 m", "0.1 m"], ["WIDTH m", "0.12 m"]]
+box = [[0, 0.1], [{0}, 0.12]]
 [initial]
-water_table = [["0 m", "0.12 m"], ["WIDTH m", "0.12 m"]]
+water_table = [[0, 0.12], [{0}, 0.12]]
 [[stage]]
 name = "leak"
 duration = "0.02 s"
@@ -104,17 +100,9 @@ duration = "0.02 s"
 side = "base"
 water = "head"
 head = "0.62 m"
-span = ["FROM m", "TO m"]
-)";
-  const auto put = [&](const std::string& key, const std::string& value) {
-    for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key))
-      text.replace(at, key.size(), value);
-  };
-  put("WIDTH", std::to_string(width));
-  put("HEIGHT", std::to_string(height));
-  put("GRID", grid);
-  put("FROM", std::to_string(0.5 * width - 0.002));
-  put("TO", std::to_string(0.5 * width + 0.002));
+span = [{4}, {5}]
+)",
+                                       width, height, grid, sand, 0.5 * width - 0.002, 0.5 * width + 0.002);
   Simulation<PlaneStrain> run(read_text(text), 1);
   while (!run.finished()) run.advance();
   const auto& lattice = run.state().setup.lattice;

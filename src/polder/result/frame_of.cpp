@@ -28,10 +28,8 @@ void place(const Simulation<Space>& run, const Points& points, PointSet& set, st
   set.position.resize(points.size());
   pressure.resize(points.size());
   for (std::size_t p = 0; p < points.size(); ++p) {
-    std::array<double, 3> x{0, 0, 0};
-    for (int a = 0; a < Space::axes; ++a) x[a] = points.position[a][p];
-    set.position[p] = x;
-    pressure[p] = run.pressure_at(x);
+    set.position[p] = position_of(points, p);
+    pressure[p] = run.pressure_at(set.position[p]);
   }
 }
 

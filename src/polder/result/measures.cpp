@@ -23,13 +23,6 @@ double column_area(const Lattice<Space>& lattice, std::size_t column) {
          (Space::axes == 3 ? lattice.axis[1].width(static_cast<int>(column / along)) : 1);
 }
 
-template <class Space>
-std::array<double, 3> place_of(const std::array<Array, Space::axes>& position, std::size_t p) {
-  std::array<double, 3> x{0, 0, 0};
-  for (int a = 0; a < Space::axes; ++a) x[a] = position[a][p];
-  return x;
-}
-
 /// Where a profile along x, column by column, last falls below half a cell.
 template <class Space>
 double front_of(const Lattice<Space>& lattice, const std::vector<double>& height) {
@@ -96,7 +89,7 @@ std::vector<double> soil_columns(const Simulation<Space>& run, const Region& reg
   const auto& soil = run.state().soil;
   std::vector<double> height(columns_of(lattice), 0.0);
   for (std::size_t p = 0; p < soil.size(); ++p) {
-    const auto x = place_of<Space>(at_start ? soil.reference : soil.position, p);
+    const auto x = at_start ? reference_of(soil, p) : position_of(soil, p);
     if ((!at_start && soil.fluid[p]) || !inside<Space>(region, x)) continue;
     const auto cell = cell_of(lattice, x);
     const SoilMaterial& material = run.state().setup.materials[soil.material[p]];
@@ -140,7 +133,7 @@ double largest_uplift(const Simulation<Space>& run, const Region& region) {
   const auto& soil = run.state().soil;
   double most = 0;
   for (std::size_t p = 0; p < soil.size(); ++p)
-    if (inside<Space>(region, place_of<Space>(soil.reference, p)))
+    if (inside<Space>(region, reference_of(soil, p)))
       most = std::max(most, soil.position[Space::up][p] - soil.reference[Space::up][p]);
   return most;
 }

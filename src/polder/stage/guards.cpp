@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "polder/case/ground_load.hpp"
 #include "polder/stage/sound.hpp"
 #include "polder/step/far_field.hpp"
+#include "polder/step/loads.hpp"
 #include "polder/step/soil_volume.hpp"
 
 namespace polder {
@@ -153,16 +153,9 @@ void Guards<Space>::add_work(const Stepper<Space>& state, double time, double dt
   }
   if (state.setup.any_absorbs()) work_ += far_work(state.setup, state.grid, dt);
   if (state.setup.loads.empty()) return;
-  const double columns = std::pow(state.setup.points_per_axis, Space::axes - 1);  // of points in a cell
   const auto& soil = state.soil;
   for (std::size_t p = 0; p < soil.size(); ++p)
-    if (soil.load[p] > 0) {
-      const auto column = cell_of(lattice, reference_of(soil, p));
-      const double width = lattice.axis[0].width(column[0]) / state.setup.points_per_axis;
-      work_ += std::max(0.0, -soil.velocity[up][p]) * dt * lattice.face_area(up, column) / columns *
-               std::abs(pressure_on(state.setup.loads[soil.load[p] - 1], time, soil.position[0][p],
-                                    soil.reference[0][p], width));
-    }
+    work_ += std::max(0.0, -soil.velocity[up][p]) * dt * std::abs(load_on(state.setup, soil, p, time));
 }
 
 template <class Space>

@@ -42,22 +42,29 @@ void press_on(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::siz
                 });
 }
 
+/// N, downwards, at `time`: the force of the load that a soil point carries, on its share of its column; 0: it carries
+/// none.
+template <class Space>
+double load_on(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p, double time) {
+  if (soil.load[p] == 0) return 0;
+  const auto& lattice = setup.lattice;
+  const int ppa = setup.points_per_axis, columns = Space::axes == 3 ? ppa * ppa : ppa;  // of points in a cell
+  const std::array<int, 3> column = cell_of(lattice, reference_of(soil, p));
+  const double width = lattice.axis[0].width(column[0]) / ppa;
+  const double pressure =
+      pressure_on(setup.loads[soil.load[p] - 1], time, soil.position[0][p], soil.reference[0][p], width);
+  return pressure * lattice.face_area(Space::up, column) / columns;
+}
+
 /// The forces at `time` of the loads that the points [first, first + count) carry to the vertical faces; `volume`: bulk
 /// volumes of these points.
 template <class Space>
 void press_loads(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t first, int count,
                  const double* volume, double time, double* field) {
   if (setup.loads.empty()) return;
-  const auto& lattice = setup.lattice;
-  const double columns = std::pow(setup.points_per_axis, Space::axes - 1);  // of points in a cell
   for (int l = 0; l < count; ++l) {
     const std::size_t p = first + static_cast<std::size_t>(l);
-    if (soil.load[p] == 0) continue;
-    const std::array<int, 3> column = cell_of(lattice, reference_of(soil, p));
-    const double width = lattice.axis[0].width(column[0]) / setup.points_per_axis;
-    const double pressure =
-        pressure_on(setup.loads[soil.load[p] - 1], time, soil.position[0][p], soil.reference[0][p], width);
-    press_on(setup, soil, p, volume[l], pressure * lattice.face_area(Space::up, column) / columns, field);
+    if (soil.load[p] > 0) press_on(setup, soil, p, volume[l], load_on(setup, soil, p, time), field);
   }
 }
 
