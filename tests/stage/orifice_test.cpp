@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "case_text.hpp"
 #include "polder/stage/simulation.hpp"
 
@@ -127,6 +130,36 @@ TEST(Orifice, OnGradedSpacingFlowsAsOnAUniformlyFineGrid) {
   EXPECT_NEAR(graded / fine, 1, 0.03);
   RecordProperty("graded_over_fine", std::to_string(graded / fine));
   std::printf("graded over fine: %.4f\n", graded / fine);
+}
+
+TEST(Orifice, ThrowsWaterNoFasterThanItsHead) {
+  Simulation<PlaneStrain> run(read_text(R"(
+[model]
+size = ["0.4 m", "1 m"]
+cell = "0.025 m"
+[[free_water]]
+box = [["0 m", "0 m"], ["0.4 m", "0.1 m"]]
+[initial]
+water_table = [["0 m", "0.1 m"], ["0.4 m", "0.1 m"]]
+[[boundary]]
+side = "base"
+water = "head"
+head = "0.6 m"
+span = ["0.15 m", "0.25 m"]
+[[stage]]
+name = "jet"
+duration = "0.5 s"
+)"),
+                              1);
+  double fastest = 0;
+  while (!run.finished()) {
+    run.advance();
+    const auto& lattice = run.state().setup.lattice;
+    for (int i = 6; i < 10; ++i) fastest = std::max(fastest, run.state().grid.water_velocity[1][lattice.index(i, 0)]);
+  }
+  const double bernoulli = std::sqrt(2 * 9.81 * 0.6);
+  EXPECT_GT(fastest, 0.5 * bernoulli);
+  EXPECT_LT(fastest, 1.02 * bernoulli);
 }
 
 }  // namespace

@@ -43,10 +43,14 @@ void prepare_open_sides(const Setup<Space>& setup, double time, GridFields<Space
     if (!side.prescribes_head) continue;
     const double head = side.value(time);
     over_side(lattice, side,
-              [&](std::ptrdiff_t, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>& cell) {
+              [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>& cell) {
                 const double height = side.axis == Space::up ? (side.end == 0 ? 0 : lattice.length(Space::up))
                                                              : lattice.axis[Space::up].centre(cell[Space::up]);
-                grid.pressure[outside] = std::max(0.0, gamma * (head - height));
+                // the head is that of the water before it has gained speed
+                const double mass = grid.water_mass[side.axis][face];
+                const double in =
+                    mass > 0 ? std::max(0.0, -side.outward() * grid.water_velocity[side.axis][face] / mass) : 0;
+                grid.pressure[outside] = std::max(0.0, gamma * (head - height) - 0.5 * setup.water.density * in * in);
                 if (head > height) grid.wet[inside] = 1;
                 grid.fill[outside] = 1 - grid.fill[inside];  // puts the surface on the side, half a cell away
               });
