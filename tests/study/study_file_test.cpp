@@ -48,6 +48,16 @@ rows = [["0.1 m", 0.8], ["0.05 m", 0.5]]
   EXPECT_EQ(study.members[3].folder, "cohesion_5_kPa_cell_0.05_m_cfl_0.5");
 }
 
+TEST(StudyFile, NamesMembersWithNumbersAsTheyAreWritten) {
+  const Study study = read_text(
+      "case = \"x\"\n[[vary]]\nlabel = \"Δt\"\nkey = \"a\"\n"
+      "values = [\"π\", 1e-3, 0.25, 0.00625,\n 2e6, 7, true]\n");
+  std::vector<std::string> names;
+  for (const Member& member : study.members) names.push_back(member.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"Δt = π", "Δt = 1e-3", "Δt = 0.25", "Δt = 0.00625", "Δt = 2e6", "Δt = 7",
+                                             "Δt = true"}));
+}
+
 TEST(StudyFile, NamesMistakesWithTheirLine) {
   EXPECT_NE(mistake_in("case = \"x\"\n[[vary]]\nkeyy = \"a\"\n").find(":3: 'keyy' is no key of [[vary]]; did you mean"),
             std::string::npos);

@@ -23,10 +23,12 @@ double column_area(const Lattice<Space>& lattice, std::size_t column) {
          (Space::axes == 3 ? lattice.axis[1].width(static_cast<int>(column / along)) : 1);
 }
 
-/// Where a profile along x, column by column, last falls below half a cell.
+constexpr double grains_deep = 2.5;  // the thinnest layer of soil that is one
+
+/// Where a profile along x, column by column, last falls below `level`, or below half a cell if that is more.
 template <class Space>
-double front_of(const Lattice<Space>& lattice, const std::vector<double>& height) {
-  const double level = 0.5 * lattice.spacing[Space::up];
+double front_of(const Lattice<Space>& lattice, const std::vector<double>& height, double level) {
+  level = std::max(level, 0.5 * lattice.spacing[Space::up]);
   const auto along = static_cast<std::size_t>(lattice.cells[0]);
   double front = 0;
   for (std::size_t row = 0; row < height.size(); row += along)
@@ -120,12 +122,14 @@ double water_front(const Simulation<Space>& run) {
       const std::ptrdiff_t cell = Space::axes == 3 ? lattice.index(i, j, level) : lattice.index(i, level);
       depth[column] += grid.fill[cell] * lattice.axis[Space::up].width(level);
     }
-  return front_of(lattice, depth);
+  return front_of(lattice, depth, 0);
 }
 
 template <class Space>
 double soil_front(const Simulation<Space>& run) {
-  return front_of(run.state().setup.lattice, soil_columns(run, {}, false));
+  double grain = 0;
+  for (const MaterialInput& material : run.model().materials) grain = std::max(grain, material.grain_diameter);
+  return front_of(run.state().setup.lattice, soil_columns(run, {}, false), grains_deep * grain);
 }
 
 template <class Space>

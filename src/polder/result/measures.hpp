@@ -24,8 +24,9 @@ std::vector<double> soil_columns(const Simulation<Space>& run, const Region& reg
 template <class Space>
 double eroded_area(const Simulation<Space>& run, const Region& region, const std::vector<double>& before);
 
-/// Farthest x to which the water (of the soil: its grains in contact) reaches half a cell deep, m; linear between the
-/// columns.
+/// Farthest x to which the water is half a cell deep, m; linear between the columns. Soil counts by its grains in
+/// contact and where it is two and a half grains deep as well, so that a finer grid does not follow ever thinner
+/// layers.
 template <class Space>
 double water_front(const Simulation<Space>& run);
 template <class Space>

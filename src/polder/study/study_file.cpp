@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <fstream>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include "polder/case/diagnostic.hpp"
@@ -25,8 +25,24 @@ struct Axis {
   std::vector<std::vector<std::string>> rows;
 };
 
+std::vector<std::string> lines_of(const fs::path& file) {
+  std::vector<std::string> lines;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Byte at which the column-th character (from 1) of a line begins; columns count characters of UTF-8.
+std::size_t byte_of(const std::string& line, std::size_t column) {
+  std::size_t byte = 0;
+  for (std::size_t at = 1; byte < line.size(); ++byte)
+    if ((static_cast<unsigned char>(line[byte]) & 0xC0) != 0x80 && at++ == column) break;
+  return byte;
+}
+
 struct Reader {
   const fs::path& file;
+  std::vector<std::string> lines = lines_of(file);
 
   std::runtime_error wrong(const toml::node& where, const std::string& what) const {
     return std::runtime_error(fmt::format("{}:{}: {}", file.string(), where.source().begin.line, what));
@@ -43,12 +59,18 @@ struct Reader {
       }
   }
 
-  /// A value as it would stand after the '=' of --set.
+  /// A value as it would stand after the '=' of --set: as the file writes it, 1e-3 or 0.25.
   std::string text_of(const toml::node& node) const {
     if (const auto text = node.value<std::string>(); text && node.is_string()) return *text;
-    std::ostringstream out;
-    node.visit([&](const auto& value) { out << value; });
-    return out.str();
+    const auto [begin, end, unnamed] = node.source();
+    std::string text;
+    for (auto number = begin.line; number <= end.line; ++number) {
+      const std::string& line = lines.at(number - 1);
+      const std::size_t first = number == begin.line ? byte_of(line, begin.column) : 0;
+      text += line.substr(first, number == end.line ? byte_of(line, end.column) - first : std::string::npos);
+      if (number != end.line) text += '\n';
+    }
+    return text;
   }
 
   std::vector<std::string> texts(const toml::node* node, const toml::table& owner, const char* key) const {

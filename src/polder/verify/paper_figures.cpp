@@ -25,7 +25,7 @@ constexpr PaperFigure figures[] = {
      "pipe-leak-inflow-kozeny-fast"},
     {"P2", "8", "vertical displacement at 10 mm/s", "pipe-leak-inflow-fast"},
     {"P2", "beyond", "orifice under constant head", "pipe-leak-head"},
-    {"P2", "beyond", "orifice of 4 mm", "missing: it takes a grid that is finer at the orifice"},
+    {"P2", "beyond", "orifice of 4 mm", "pipe-leak-4mm"},
     {"P3", "1, 2", "the method", "docs/theory.md"},
     {"P3", "3, 4, 5", "flow through a porous block", "porous-block, porous-block-dry"},
     {"P3", "6", "set-up of the embankment", "overtopping (the drawing of its report)"},

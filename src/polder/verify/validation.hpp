@@ -26,8 +26,8 @@ struct Row {
 struct Result {
   std::vector<Row> rows;
   std::optional<Chart> figure;
-  double points = 0, steps = 0, seconds = 0;
-  std::string trouble;  ///< why it ended early, or what could not be compared
+  double points = 0, steps = 0, seconds = 0;  ///< of the processor
+  std::string trouble;                        ///< why it ended early, or what could not be compared
   bool pass() const;
 };
 

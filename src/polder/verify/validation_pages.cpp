@@ -117,7 +117,7 @@ std::string validation_page(const std::map<std::string, Result>& results) {
                           value_text(row.computed, row.unit), reference_text(row), verdict_text(row), row.source);
   }
   text +=
-      "\n## Cost\n\nPoints at the end, steps, and seconds on one thread of a machine that was busy with other work.\n\n"
+      "\n## Cost\n\nPoints at the end, steps, and processor seconds of one thread.\n\n"
       "| case | points | steps | seconds |\n|-|-:|-:|-:|\n";
   for (const Validation& validation : validations())
     if (const auto found = results.find(std::string(validation.name)); found != results.end())
