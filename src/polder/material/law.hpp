@@ -56,6 +56,9 @@ class SoilLaw {
   /// Oedometric (P-wave) modulus in Pa, an upper bound over the states the law can reach from `mean_pressure` (Pa,
   /// compression positive); sets the time step.
   virtual double constrained_modulus(double mean_pressure) const = 0;
+  /// Whether the law follows stretches and turns of any size, so that it wants a step's strain (log V) and the rotation
+  /// before it to second order; others are content with the first.
+  virtual bool follows_large_strains() const { return false; }
   /// State variables used beyond the plastic shear strain (row 0), by name; at most StressBatch::max_state − 1.
   virtual std::vector<std::string> state_names() const { return {}; }
   /// Initial values of those rows for a point under `mean_pressure` (Pa, compression positive).

@@ -2,7 +2,7 @@
 // where the rate form of `linear-elastic` drifts. For verification, and for what is stretched and turned far.
 //
 // No state is needed: B follows from the stress and J = (1 − n₀)/(1 − n). The caller has turned the stress; the stretch
-// of the step is B ← (I + Δε) B (I + Δε).
+// of the step is B ← S B S, S = I + Δε + ½ Δε².
 #include <cmath>
 
 #include "polder/material/elasticity.hpp"
@@ -33,12 +33,20 @@ Symmetric stretched(const Symmetric& s, const Symmetric& b) {
   return {{entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(1, 2), entry(2, 0)}};
 }
 
+/// exp of a small strain, to second order.
+Symmetric stretch(const Symmetric& strain) {
+  Symmetric s = stretched(strain, {{1, 1, 1, 0, 0, 0}});
+  for (int k = 0; k < 6; ++k) s.v[k] = (k < 3 ? 1 : 0) + strain.v[k] + 0.5 * s.v[k];
+  return s;
+}
+
 class NeoHookean final : public SoilLaw {
  public:
   NeoHookean(const Elasticity& elasticity, double initial_porosity)
       : elasticity_(elasticity), solid_at_start_(1 - initial_porosity) {}
   void update(StressBatch<4>& batch) const override { update_batch(batch); }
   void update(StressBatch<6>& batch) const override { update_batch(batch); }
+  bool follows_large_strains() const override { return true; }
   /// Of small strains; where a stretch grows beyond 1, stiffness grows with its square.
   double constrained_modulus(double) const override { return elasticity_.constrained(); }
 
@@ -50,16 +58,13 @@ class NeoHookean final : public SoilLaw {
       const double volumetric = batch.strain[0][i] + batch.strain[1][i] + batch.strain[2][i];
       const double logarithm = std::log(solid_at_start_ / (1 - batch.porosity[i])), before = logarithm - volumetric;
       const double old_volume = std::exp(before), volume = std::exp(logarithm);
-      Symmetric b{}, s{};
+      Symmetric b{}, strain{};
       for (int k = 0; k < N; ++k) {
         b.v[k] = old_volume * batch.stress[k][i] / shear;
-        s.v[k] = batch.strain[k][i];
+        strain.v[k] = batch.strain[k][i];
       }
-      for (int k = 0; k < 3; ++k) {
-        b.v[k] += 1 - lambda * before / shear;
-        s.v[k] += 1;
-      }
-      b = stretched(s, b);
+      for (int k = 0; k < 3; ++k) b.v[k] += 1 - lambda * before / shear;
+      b = stretched(stretch(strain), b);
       for (int k = 0; k < N; ++k)
         batch.stress[k][i] = (shear * (b.v[k] - (k < 3 ? 1 : 0)) + (k < 3 ? lambda * logarithm : 0)) / volume;
     }

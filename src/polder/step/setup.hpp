@@ -86,6 +86,12 @@ struct Setup {
     return std::all_of(materials.begin(), materials.end(), [](const SoilMaterial& m) { return m.fixed; });
   }
 
+  /// Whether strain and rotation are wanted to second order in the step: where a law follows them to any size.
+  bool follows_large_strains() const {
+    return std::any_of(materials.begin(), materials.end(),
+                       [](const SoilMaterial& m) { return m.law && m.law->follows_large_strains(); });
+  }
+
   /// Component of gravity, m/s².
   double pull(int axis) const {
     return axis == Space::up ? -gravity * std::cos(tilt) : axis == 0 && tilt != 0 ? gravity * std::sin(tilt) : 0;

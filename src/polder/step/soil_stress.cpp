@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "polder/step/large_strain.hpp"
+
 namespace polder {
 
 namespace {
@@ -171,9 +173,16 @@ void update_soil(const Setup<Space>& setup, double dt, std::size_t first, int co
                  double* plastic_shear) {
   StressBatch<Space::stress> batch;
   double shear[chunk_size];
-  compute_strain(gradients, dilation, dt, count, batch);
+  double own_dilation[chunk_size];
+  if (setup.follows_large_strains()) {
+    std::copy_n(dilation, count, own_dilation);
+    stretch_and_turn(gradients, dt, first, count, soil, own_dilation, batch);
+    dilation = own_dilation;
+  } else {
+    compute_strain(gradients, dilation, dt, count, batch);
+    rotate_stress(gradients, dt, first, count, soil, batch);
+  }
   compute_shear(batch, count, shear);
-  rotate_stress(gradients, dt, first, count, soil, batch);
   std::copy_n(soil.porosity.data() + first, count, batch.porosity);
   follow_volume(dilation, dt, count, batch.porosity);
 
