@@ -64,15 +64,18 @@ void check_room(const std::vector<const Fields*>& fields, Model& model, std::siz
                    [](const auto& a, const auto& b) { return a.first.from < b.first.from; });
   ranges.clear();
   const double size = model.size[axis];
-  for (auto& [range, f] : order) {
+  for (const auto& entry : order) {
+    const FineRange& range = entry.first;
     const auto tight = [&](double left, double needed, const char* what) {
-      report(diagnostics, f->place_of("span"), f->path_of("span"),
+      const Fields& f = *entry.second;
+      report(diagnostics, f.place_of("span"), f.path_of("span"),
              fmt::format("leaves {:.6g} m to {}, where its cells cannot grow", left, what),
              fmt::format("leave at least {:.6g} m, or let it reach there", needed));
     };
     const double needed = room * range.cell, before = range.from - (ranges.empty() ? 0 : ranges.back().to);
-    if (!ranges.empty() && before < room * std::max(range.cell, ranges.back().cell))
-      tight(before, room * std::max(range.cell, ranges.back().cell), "the range before it");
+    const double between = ranges.empty() ? 0 : room * std::max(range.cell, ranges.back().cell);
+    if (before < between)
+      tight(before, between, "the range before it");
     else if (ranges.empty() && before > round_off * size && before < needed)
       tight(before, needed, "the end of the model");
     else if (size - range.to > round_off * size && size - range.to < needed)

@@ -86,7 +86,7 @@ GridAxis::GridAxis(double length, double cell, std::vector<FineRange> ranges) : 
   cells_ = static_cast<int>(knots.size());
   const int n = cells_;
   auto table = std::make_shared<Table>();
-  const auto size = static_cast<std::size_t>(n + 2 * ghosts);
+  const auto size = static_cast<std::size_t>(n) + 2 * std::size_t{ghosts};
   table->knot.resize(size);
   table->edge.resize(size + 1);
   table->centre.resize(size);

@@ -75,7 +75,7 @@ class GridAxis {
     std::vector<int> first;  // of the cells that begin in a bin or reach into it
     double bins_per_metre = 0;
   };
-  static std::size_t at(int i) { return static_cast<std::size_t>(i + ghosts); }
+  static std::size_t at(int i) { return static_cast<std::size_t>(std::ptrdiff_t{i} + ghosts); }
 
   int cells_ = 1;
   double least_ = 1, length_ = 1;

@@ -46,6 +46,7 @@ struct Load {
 };
 
 /// scatter_component() beside thin walls.
+// NOLINTBEGIN(readability-non-const-parameter): written in the lambda
 template <int c, class Space>
 void scatter_beside(const Setup<Space>& setup, const SoilPoints<Space>& points, const Load& load, std::size_t first,
                     int count, const ChunkWeights<Space>& chunk, GridFields<Space>& grid, double* held_field) {
@@ -58,6 +59,7 @@ void scatter_beside(const Setup<Space>& setup, const SoilPoints<Space>& points, 
       if (c == Space::up) force_field[node.at] -= node.sign * load.weight[l] * node.value();
     });
 }
+// NOLINTEND(readability-non-const-parameter)
 
 template <int c, class Space>
 void scatter_component(const Lattice<Space>& lattice, const SoilPoints<Space>& points, const Load& load,

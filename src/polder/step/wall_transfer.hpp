@@ -120,6 +120,7 @@ void gather_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& la
 }
 
 /// Adds one quantity alone, of which a field's sign at the seen node is that of motion.
+// NOLINTBEGIN(readability-non-const-parameter): written in the lambda
 template <int c, class Space>
 void scatter_value_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& lattice,
                                 const ChunkWeights<Space>& chunk, const double* value, int count, double* field) {
@@ -127,6 +128,7 @@ void scatter_value_beside_walls(const ThinWalls<Space>& walls, const Lattice<Spa
     over_seen_nodes<c>(walls, lattice, chunk, l,
                        [&](const SeenNode<Space>& node) { field[node.at] += node.sign * value[l] * node.value(); });
 }
+// NOLINTEND(readability-non-const-parameter)
 
 /// The field's value alone.
 template <int c, class Space>
