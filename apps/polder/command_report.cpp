@@ -31,7 +31,7 @@ void read_times(const std::string& text, FigureOptions& options) {
     const std::string word = text.substr(at, comma - at);
     char* end = nullptr;
     const double time = std::strtod(word.c_str(), &end);
-    while (end && *end == ' ') ++end;
+    while (*end == ' ') ++end;
     if (word.empty() || *end != 0)
       throw Failure(status_wrong_input,
                     "--times: '" + word + "' is no time; give seconds, as in --times 2,6,14, or --times all");
