@@ -15,7 +15,6 @@ namespace {
 constexpr double water_weight = 9810;                              // N/m³
 constexpr double dry_weight = 0.6 * 2650 * 9.81, pores = 0.4;      // N/m³ of bulk; –
 constexpr double full_weight = dry_weight + pores * water_weight;  // N/m³
-constexpr double buoyant_weight = full_weight - water_weight;
 
 std::string silt(const std::string& more = "") {
   return R"(
