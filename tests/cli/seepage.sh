@@ -22,6 +22,6 @@ has "$err" 'give seepage.times'
 
 # Ground that deforms: as much cohesion as keeps the dike standing.
 expect 0 polder seepage dike-seepage --out deforming --set seepage.deformation=true --set 'seepage.times=["1 s"]' \
-  --set 'material.sand.cohesion="5 kPa"' --set material.sand.permeability_change=0.875
+  --set 'seepage.mesh_size="0.2 m"' --set 'material.sand.cohesion="5 kPa"' --set material.sand.permeability_change=0.875
 has "$out" "largest of the ground"
 [ -s deforming/strain-0.png ] || fail "there is no deforming/strain-0.png"
