@@ -30,10 +30,11 @@ struct Region {
 };
 
 struct WaterProperties {
-  double density = 1000;        ///< kg/m³
-  double bulk_modulus = 2.2e9;  ///< Pa
-  double viscosity = 1.0e-3;    ///< Pa s
-  bool viscous = false;         ///< free water has viscous stresses, too; else only the drag knows of its viscosity
+  double density = 1000;               ///< kg/m³
+  double bulk_modulus = 2.2e9;         ///< Pa
+  double viscosity = 1.0e-3;           ///< Pa s
+  double cavitation_pressure = -98e3;  ///< Pa, beyond the atmosphere's: a void opens rather than that it is less
+  bool viscous = false;  ///< free water has viscous stresses, too; else only the drag knows of its viscosity
 };
 
 struct MaterialInput {

@@ -232,6 +232,7 @@ Json case_json(const Model& model) {
   json["water"] = {{"density", model.water.density},
                    {"bulk_modulus", model.water.bulk_modulus},
                    {"viscosity", model.water.viscosity},
+                   {"cavitation_pressure", model.water.cavitation_pressure},
                    {"viscous", model.water.viscous}};
   json["material"] = Json::array();
   for (const MaterialInput& m : model.materials) json["material"].push_back(material_json(m));

@@ -66,6 +66,7 @@ void read_water(const Fields& f, WaterProperties& water) {
   water.density = f.number("density", water.density);
   water.bulk_modulus = f.number("bulk_modulus", water.bulk_modulus);
   water.viscosity = f.number("viscosity", water.viscosity);
+  water.cavitation_pressure = f.number("cavitation_pressure", water.cavitation_pressure);
   water.viscous = f.flag("viscous");
 }
 

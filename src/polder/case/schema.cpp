@@ -126,6 +126,10 @@ std::vector<Key> make_keys() {
       {"water", "bulk_modulus", "Kw", "pressure", false, "2.2 GPa", 1e4, 1e11, R"("2.2 GPa")",
        "Stiffness in compression. The true one costs nothing here; papers reduce it to lengthen an explicit step."},
       {"water", "viscosity", "μ", "viscosity", false, "1e-3 Pa s", 1e-7, 1e3, R"("1e-3 Pa s")", "Dynamic viscosity."},
+      {"water", "cavitation_pressure", "pc", "pressure", false, "-98 kPa", -1e12, -1, R"("-98 kPa")",
+       "Least pressure, the atmosphere's being 0: a void opens rather than that it falls further. Far below (`-1 "
+       "GPa`): "
+       "never."},
       {"water", "viscous", "", "flag", false, "false", any, infinity, "false",
        "Free water has (laminar) viscous stresses. Left out: only the drag in soil knows of the viscosity, for "
        "boundary "

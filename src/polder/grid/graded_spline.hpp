@@ -24,7 +24,9 @@ class GradedSpline {
   /// Of the centres, for a point in this cell.
   const SplinePiece& centres(int cell) const { return centres_[static_cast<std::size_t>(cell)]; }
   /// Of the faces, for a point in this cell below (0) or above (1) its knot; nodes are in lanes 0 … 2 and 1 … 3.
-  const SplinePiece& faces(int cell, int upper) const { return faces_[static_cast<std::size_t>(2 * std::ptrdiff_t{cell} + upper)]; }
+  const SplinePiece& faces(int cell, int upper) const {
+    return faces_[static_cast<std::size_t>(2 * std::ptrdiff_t{cell} + upper)];
+  }
   /// ∫ of the weight of the cell centre or of the low face of cell i, m: what it stands for. From i = −1 to n + 1.
   double centre_span(int i) const { return centre_span_[static_cast<std::size_t>(std::ptrdiff_t{i} + 1)]; }
   double face_span(int i) const { return face_span_[static_cast<std::size_t>(std::ptrdiff_t{i} + 1)]; }

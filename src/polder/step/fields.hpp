@@ -95,7 +95,8 @@ struct GridFields {
   std::array<Array, 2> far_impedance;  ///< Pa s/m against motion across the side and along it; likewise
   std::uint64_t far_is_known = 0;      ///< they have been taken
   std::vector<std::array<double, 2>>
-      body_impulse;  ///< N s, of the soil on each body in the step, where it is asked for
+      body_impulse;                      ///< N s, of the soil on each body in the step, where it is asked for
+  std::vector<std::ptrdiff_t> cavities;  ///< cells that held a void when the step began, keep_cavities()
   AlignedVector<std::uint8_t> wet;
   Layers layers, shift_layers;  ///< scratch of extrapolations, and of the shift's
   AlignedVector<std::uint8_t> soil_known;

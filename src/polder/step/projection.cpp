@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "polder/step/cavities.hpp"
 #include "polder/step/face_loop.hpp"
 #include "polder/step/far_field.hpp"
 #include "polder/step/interior.hpp"
@@ -182,7 +183,7 @@ SolveResult project(const Setup<Space>& setup, double dt, const std::vector<Well
     solver.matrix.diagonal[well.cell] += well.conductance;
     solver.right_side[well.cell] += well.conductance * well.level - well.rate;
   }
-  const SolveResult result = solver.solve(grid.rows, grid.pressure, setup.numerics.pressure_tolerance, 400, team);
+  const SolveResult result = solve_with_cavities(setup, grid, solver, team);
   join_ends(grid.pressure, setup.water_box, lattice);
 
   by_spacing(lattice, [&]<bool graded>() {
@@ -270,6 +271,8 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
       }
     });
   });
+  for (const std::ptrdiff_t cell : grid.cavities)  // a void is not to be filled from around it
+    solver.right_side[cell] = std::max(0.0, solver.right_side[cell]);
   const SolveResult result = solver.solve(grid.rows, grid.potential, 1e-2, 60, team);
   join_ends(grid.potential, setup.water_box, lattice);
 

@@ -6,6 +6,7 @@
 
 #include "polder/math/huge_pages.hpp"
 #include "polder/points/resample.hpp"
+#include "polder/step/cavities.hpp"
 #include "polder/step/face_predictor.hpp"
 #include "polder/step/far_field.hpp"
 #include "polder/step/open_sides.hpp"
@@ -196,6 +197,7 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
 
   soil_to_grid(setup, soil, soil_tiling_, control.time, grid, team);
   water_to_grid(setup, soil, soil_tiling_, water, water_tiling_, grid, team);
+  keep_cavities(setup, grid);
   if (!setup.open_sides.empty()) prepare_open_sides(setup, control.time, grid);
   const bool far_field = control.event && setup.any_absorbs();
   if (far_field && grid.far_is_known == 0) know_far_field(setup, soil, setup.gravity * control.gravity_factor, grid);

@@ -42,9 +42,9 @@ UnsaturatedStep<Space>::UnsaturatedStep(const Setup<Space>& setup, SoilPoints<Sp
     const double filled = filled_by(setup, soil, p, soil.material[p], grid);
     soil.water[p] = filled * soil.porosity[p] * bulk_volume(setup, soil, p);
   }
-  ground_.assign(static_cast<std::size_t>(lattice.cells[0]) *
-                     static_cast<std::size_t>(Space::axes == 3 ? lattice.cells[1] : 1),
-                 -1);
+  ground_.assign(
+      static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(Space::axes == 3 ? lattice.cells[1] : 1),
+      -1);
   ground_changed(setup, soil);
 }
 
