@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
 # Static analysis of what tidy-engine.sh leaves: the program, the finite elements, the slip surfaces, reports and studies.
-# Minutes: 12
+# Minutes: 11
 # Packages: all
 exec bash tests/all.d/tidy-engine.sh tools

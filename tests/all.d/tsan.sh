@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The tests that use several threads, and random models with two, with ThreadSanitizer: data races. The others cannot have
 # any. Address randomisation is off because GCC 12's runtime refuses the wide randomisation of newer kernels.
-# Minutes: 10
+# Minutes: 9
 set -u
 quiet=()
 setarch -R true 2>/dev/null && quiet=(setarch -R)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Minutes: 10
+# Minutes: 3
 # Packages: report-test
 # The viewer of report.html: its types, its bundle against the one that is committed, and the report in a browser.
 set -eu
