@@ -47,65 +47,56 @@ Flow run_over(const std::string& text, int bed_cells, int brink_column, int upst
   return flow;
 }
 
-TEST(FreeOverfall, HasItsDepthAtTheBrink) {
-  const Flow flow = run_over(fmt::format(R"(
+/// A channel in a model of this size that is 0.2 m deep at first, from a height on and up to a place, and ends at the
+/// open right side.
+std::string channel(const std::string& size, double bed, double end, const std::string& more) {
+  return fmt::format(R"(
 [model]
-size = ["2.6 m", "0.8 m"]
+size = {0}
 cell = "0.02 m"
 [[free_water]]
-box = [[0, 0.4], [2, 0.6]]
-[[wall]]
-box = [[0, 0], [2, 0.4]]
+box = [[0, {1}], [{3}, {2}]]
 [[boundary]]
 side = "left"
 water = "inflow"
-inflow = "{} m/s"
-span = [0.4, 0.6]
+inflow = "{4} m/s"
+span = [{1}, {2}]
+[[boundary]]
+side = "right"
+water = "open"
+[[stage]]
+name = "fall"
+duration = "8 s"
+)",
+                     size, bed, bed + 0.2, end, discharge / 0.2) +
+         more;
+}
+
+/// All that flows in leaves, and the depth at the edge is this part of y_c.
+void expect_brink(const char* name, const Flow& flow, double depth, double tolerance) {
+  std::printf("%s: brink %.4f y_c, upstream %.4f y_c, out %.4f of q\n", name, flow.brink / critical,
+              flow.upstream / critical, flow.out / discharge);
+  EXPECT_NEAR(flow.brink / critical, depth, tolerance);
+  EXPECT_NEAR(flow.out / discharge, 1, 0.03);
+}
+
+TEST(FreeOverfall, HasItsDepthAtTheBrink) {
+  const Flow flow = run_over(channel(R"(["2.6 m", "0.8 m"])", 0.4, 2, R"(
+[[wall]]
+box = [[0, 0], [2, 0.4]]
 [[boundary]]
 side = "base"
 water = "open"
 span = [2, 2.6]
-[[boundary]]
-side = "right"
-water = "open"
-[[stage]]
-name = "fall"
-duration = "8 s"
-)",
-                                         discharge / 0.2),
+)"),
                              20, 99, 50, 5);
-  std::printf("overfall: brink %.4f y_c, upstream %.4f y_c, out %.4f of q\n", flow.brink / critical,
-              flow.upstream / critical, flow.out / discharge);
-  EXPECT_NEAR(flow.brink / critical, 0.715, 0.03 * 0.715);
-  EXPECT_NEAR(flow.out / discharge, 1, 0.03);
+  expect_brink("overfall", flow, 0.715, 0.03 * 0.715);
 }
 
 TEST(OpenSide, LetsAChannelFallOutAtTheDepthOfNoPressure) {
   // q²/y + 0 = q²/y_c + g y_c²/2: two thirds of y_c where the pressure is zero all the way down
-  const Flow flow = run_over(fmt::format(R"(
-[model]
-size = ["2 m", "0.4 m"]
-cell = "0.02 m"
-[[free_water]]
-box = [[0, 0], [2, 0.2]]
-[[boundary]]
-side = "left"
-water = "inflow"
-inflow = "{} m/s"
-span = [0, 0.2]
-[[boundary]]
-side = "right"
-water = "open"
-[[stage]]
-name = "fall"
-duration = "8 s"
-)",
-                                         discharge / 0.2),
-                             0, 99, 50, 5);
-  std::printf("open side: brink %.4f y_c, upstream %.4f y_c, out %.4f of q\n", flow.brink / critical,
-              flow.upstream / critical, flow.out / discharge);
-  EXPECT_NEAR(flow.brink / critical, 2.0 / 3, 0.03);
-  EXPECT_NEAR(flow.out / discharge, 1, 0.03);
+  const Flow flow = run_over(channel(R"(["2 m", "0.4 m"])", 0, 2, ""), 0, 99, 50, 5);
+  expect_brink("open side", flow, 2.0 / 3, 0.03);
 }
 
 }  // namespace

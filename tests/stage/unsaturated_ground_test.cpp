@@ -8,6 +8,7 @@
 #include "case_text.hpp"
 #include "polder/stage/checkpoint.hpp"
 #include "polder/stage/simulation.hpp"
+#include "silt.hpp"
 
 namespace polder {
 namespace {
@@ -15,28 +16,6 @@ namespace {
 constexpr double water_weight = 9810;                              // N/m³
 constexpr double dry_weight = 0.6 * 2650 * 9.81, pores = 0.4;      // N/m³ of bulk; –
 constexpr double full_weight = dry_weight + pores * water_weight;  // N/m³
-
-std::string silt(const std::string& more = "") {
-  return R"(
-[[material]]
-name = "silt"
-law = "linear-elastic"
-grain_density = "2650 kg/m3"
-porosity = 0.4
-permeability = "5e-4 m/s"
-permeability_exponent = 0
-young_modulus = "20 MPa"
-poisson_ratio = 0.3
-)" + more +
-         R"(
-[[retention]]
-material = "silt"
-model = "van-genuchten"
-g_a = "0.3 1/m"
-g_n = 2
-residual = 0.05
-)";
-}
 
 /// A model of so many metres with cells of 0.25 m, what is in it, and its stages.
 std::string model_of(double width, double height, const std::string& content, const std::string& stages) {

@@ -10,6 +10,7 @@
 
 #include "case_text.hpp"
 #include "polder/stage/simulation.hpp"
+#include "silt.hpp"
 
 namespace polder {
 namespace {
@@ -24,28 +25,12 @@ std::unique_ptr<Simulation<PlaneStrain>> after(const std::string& text) {
 }
 
 std::string soil(const std::string& outline, const std::string& more) {
-  return fmt::format(R"(
-[[material]]
-name = "silt"
-law = "linear-elastic"
-grain_density = "2650 kg/m3"
-porosity = 0.4
-permeability = "5e-4 m/s"
-permeability_exponent = 0
-young_modulus = "20 MPa"
-poisson_ratio = 0.3
-[[retention]]
-material = "silt"
-model = "van-genuchten"
-g_a = "0.3 1/m"
-g_n = 2
-residual = 0.05
-[[soil]]
+  return silt() + fmt::format(R"([[soil]]
 material = "silt"
 polygon = {}
 {}
 )",
-                     outline, more);
+                              outline, more);
 }
 
 /// Rest under gravity, then the change; ends inside [numerics].

@@ -156,7 +156,7 @@ SolveResult solve_with_cavities(const Setup<Space>& setup, GridFields<Space>& gr
   Cells held = grid.cavities, may_close = held;
   SolveResult result;
   for (int round = 0; round < most_rounds; ++round) {
-    if (round > 0 || !held.empty()) equations.hold(held);
+    equations.hold(held);
     const SolveResult last = solver.solve(grid.rows, grid.pressure, setup.numerics.pressure_tolerance, 400, team);
     result = {result.iterations + last.iterations, last.residual, last.converged};
     // each of them may be let go once, so that the search ends
