@@ -71,15 +71,6 @@ void check_limits(const Sections& sections, const Model& model, Diagnostics& dia
       if (!model.unsaturated && f.is_given(key))
         report(diagnostics, f.place_of(key), f.path_of(key), "is only for the unsaturated formulation",
                "leave it out, or set model.formulation = \"unsaturated\"");
-  if (model.single_point && !model.unsaturated) {
-    const auto refuse = [&](const Fields& f, std::string_view key, const char* what) {
-      report(diagnostics, f.place_of(key), f.path_of(key),
-             fmt::format("{} not available in the single-point formulation", what),
-             "set model.formulation = \"double-point\"");
-    };
-    if (!model.wells.empty()) refuse(sections.wells.front(), "at", "wells are");
-    if (!model.rains.empty()) refuse(sections.rains.front(), "rate", "[[rain]] is");
-  }
   int lines = 0;
   for (std::size_t i = 0; i < model.boundaries.size(); ++i) {
     const Boundary& b = model.boundaries[i];

@@ -108,8 +108,8 @@ std::vector<Key> make_keys() {
       {"model", "formulation", "", "choice:double-point|single-point|unsaturated", false, "double-point", any, infinity,
        R"("double-point")",
        "Water in the pores of soil: on water points of its own, or carried by the soil points: `single-point` "
-       "(saturated "
-       "soil that drains to its surface; no exchange with free water) or `unsaturated` (pores may hold air: "
+       "(soil is saturated or dry, and exchanges water with free water where it ends) or `unsaturated` (pores may hold "
+       "air: "
        "`[[retention]]`, Bishop's effective stress, conditions by `[[seepage_boundary]]`)."},
       // ---- refine
       {"refine", "name", "", "name", false, "", any, infinity, R"("orifice")", "For messages."},

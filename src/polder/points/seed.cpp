@@ -107,6 +107,7 @@ SeededPoints<Space> seed_points(const Model& model, const Lattice<Space>& lattic
       points.soil.porosity[p] = porosity;
       points.soil.material[p] = static_cast<std::uint8_t>(material);
       points.soil.saturated[p] = model.single_point && site.below;
+      if (points.soil.saturated[p]) points.soil.water[p] = porosity * volume * site.open;
     }
     if (site.free || (site.soil >= 0 && site.below && !model.single_point)) {
       const std::size_t p = append_points(points.water, 1);

@@ -245,8 +245,7 @@ std::vector<double> Monitors<Space>::sample(const Simulation<Space>& run, double
   const auto& state = run.state();
   const auto& soil = state.soil;
   const Energies e = energies(run);
-  std::vector<double> row{dt, e.soil_kinetic, e.water_kinetic, e.potential,
-                          sum_by_id(state.water.id, state.water.volume) + sum_by_id(soil.id, soil.water)};
+  std::vector<double> row{dt, e.soil_kinetic, e.water_kinetic, e.potential, stored_water(state)};
   row.push_back(*std::max_element(state.grid.pressure.begin(), state.grid.pressure.end()));
   const Audit<Space>& audit = run.audit();
   row.push_back(audit.steps > 0 ? static_cast<double>(audit.pressure_iterations) / static_cast<double>(audit.steps)

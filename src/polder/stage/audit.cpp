@@ -22,16 +22,17 @@ double sum_by_id(const AlignedVector<std::uint64_t>& id, const Array& value) {
   return sum;
 }
 
-namespace {
+namespace {}  // namespace
 
-/// Water in the model, m³: of the water points and, in the unsaturated formulation, in the soil points' pores.
 template <class Space>
 double stored_water(const Stepper<Space>& state) {
   const double free = sum_by_id(state.water.id, state.water.volume);
-  return state.setup.unsaturated ? free + sum_by_id(state.soil.id, state.soil.water) : free;
+  if (!state.setup.single_point) return free;
+  return std::accumulate(state.grid.spare.begin(), state.grid.spare.end(),
+                         free + sum_by_id(state.soil.id, state.soil.water));
 }
-
-}  // namespace
+template double stored_water(const Stepper<PlaneStrain>&);
+template double stored_water(const Stepper<Solid>&);
 
 template <class Space>
 Audit<Space>::Audit(const Model& model, const Stepper<Space>& state) {

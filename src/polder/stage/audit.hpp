@@ -93,4 +93,8 @@ class Audit {
 /// Σ of an array over the points in ascending order of id: the same in whatever order they lie.
 double sum_by_id(const AlignedVector<std::uint64_t>& id, const Array& value);
 
+/// Water in the model, m³: of the water points, of what soil points carry, and what is between the two.
+template <class Space>
+double stored_water(const Stepper<Space>& state);
+
 }  // namespace polder

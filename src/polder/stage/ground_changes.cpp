@@ -86,7 +86,8 @@ void excavate(const Model& model, const GroundChange& change, Stepper<Space>& st
   for (std::size_t p = 0; p < soil.size(); ++p) {
     goes[p] = in_region<Space>(change.region, position_of(soil, p));
     if (goes[p]) changed.solid_out += soil.mass[p];
-    if (goes[p] && state.unsaturated) changed.water.push_back({cell_at(lattice, position_of(soil, p)), -soil.water[p]});
+    if (goes[p] && state.setup.single_point)
+      changed.water.push_back({cell_at(lattice, position_of(soil, p)), -soil.water[p]});
   }
   if (change.water != ExcavatedWater::leave) {
     const Sites<Space> sites(model, lattice);
@@ -155,8 +156,9 @@ void place(const Model& model, const GroundChange& change, std::uint64_t first_i
     const auto& pores = state.setup.pores[placed.material[p]];
     placed.water[p] = water_ratio(pores, p_water, model.water.bulk_modulus).value * placed.porosity[p] *
                       bulk_volume(state.setup, placed, p);
-    changed.water.push_back({cell_at(lattice, position_of(placed, p)), placed.water[p]});
   }
+  for (std::size_t p = 0; state.setup.single_point && p < placed.size(); ++p)
+    changed.water.push_back({cell_at(lattice, position_of(placed, p)), placed.water[p]});
   auto& soil = state.soil;
   const std::size_t first = append_points(soil, placed.size());
   const auto copy = [&](auto& to, const auto& from) { std::copy(from.begin(), from.end(), to.begin() + first); };

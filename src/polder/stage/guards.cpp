@@ -24,8 +24,7 @@ double mechanical_energy(const Stepper<Space>& state) {
   const auto& soil = state.soil;
   for (std::size_t p = 0; p < soil.size(); ++p) {
     double mass = soil.mass[p];
-    if (state.setup.single_point && soil.saturated[p])
-      mass += rho * soil.porosity[p] * bulk_volume(state.setup, state.soil, p);
+    if (state.setup.single_point) mass += rho * soil.water[p];
     energy += mass * (0.5 * speed_squared(soil, p) + g * soil.position[Space::up][p]);
   }
   const auto& water = state.water;
@@ -129,6 +128,7 @@ void Guards<Space>::check_balances(const Stepper<Space>& state, const Audit<Spac
   double stored = 0, mass = 0;
   for (const double v : state.water.volume) stored += v;
   for (const double v : state.soil.water) stored += v;
+  for (const double v : state.grid.spare) stored += v;
   for (const double m : state.soil.mass) mass += m;
   const double water = audit.water_error_of(stored), solid = audit.solid_error_of(mass);
   if (!(water <= GuardLimits::water_balance)) fail("the balance of the water", water, GuardLimits::water_balance);

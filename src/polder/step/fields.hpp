@@ -34,6 +34,7 @@ struct GridFields {
         soil_sums(static_cast<std::size_t>(4 * lattice.size), 0.0),
         solid_volume(lattice.make_array()),
         saturated_solid(lattice.make_array()),
+        carried_volume(lattice.make_array()),
         soil_cell_mass(lattice.make_array()),
         linear_drag{lattice.make_array(), lattice.make_array()},
         quadratic_drag{lattice.make_array(), lattice.make_array()},
@@ -79,6 +80,7 @@ struct GridFields {
   Array soil_sums;                      ///< the next and the horizontal drag side by side while points write, 4 a cell
   Array solid_volume;                   ///< m³, by overlap of the points' boxes
   Array saturated_solid;                ///< m³, grains of the soil points that carry water (single-point)
+  Array carried_volume;                 ///< m³, the water that these carry
   Array soil_cell_mass;                 ///< kg, likewise
   std::array<Array, 2> linear_drag;     ///< Σ V a(n), Pa s m; horizontal and, where it differs, vertical
   std::array<Array, 2> quadratic_drag;  ///< Σ V b(n), kg/m
@@ -88,6 +90,7 @@ struct GridFields {
   Array pressure;   ///< Pa, kept from step to step
   Array potential;  ///< ψ of the volume correction, m²
   Array owed;       ///< m³ that came in through open sides and is not yet in points; by the cell beyond the side
+  Array spare;      ///< m³ that soil points have given and that is not yet in points, or < 0; single-point, else empty
   Array rain;       ///< m³ that has fallen and is not yet in points, by column; without rain empty
   /// Of absorbing sides, without them empty: N and Pa that hold their faces at rest.
   FaceField<Space> far_force;

@@ -58,12 +58,15 @@ double most_cells(const Lattice<Space>& lattice, const ChunkWeights<Space>& chun
 }
 
 /// The boxes of points in free water stretch along the axes with the flow, at constant volume. In soil, whose pores mix
-/// the water, a box is shaped as a cell.
+/// the water, a box is shaped as a cell; in films and spray, whose motion nothing keeps free of divergence, it keeps
+/// its shape.
 template <class Space>
-void stretch_boxes(double dt, const double* porosity, std::size_t first, int count, WaterPoints<Space>& water) {
+void stretch_boxes(double dt, const double* porosity, const bool* wet, std::size_t first, int count,
+                   WaterPoints<Space>& water) {
   constexpr int axes = Space::axes;
   for (int l = 0; l < count; ++l) {
     const std::size_t p = first + static_cast<std::size_t>(l);
+    if (!wet[l] && porosity[l] == 1) continue;
     double edge[axes], product = 1;
     for (int a = 0; a < axes; ++a) {
       edge[a] = (1 + water.elongation[a][p]) * std::max(0.5, 1 + dt * water.affine[a * axes + a][p]);
@@ -262,6 +265,7 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
     ChunkWeights<Space> chunk;
     Gathered<Space> gathered;
     double displacement[Space::axes][chunk_size], porosity[chunk_size], discharge[chunk_size];
+    bool wet[chunk_size];
     for (std::uint32_t done = 0; done < tile.count; done += chunk_size) {
       const std::size_t first = tile.first + done;
       const int count = std::min(chunk_size, static_cast<int>(tile.count - done));
@@ -273,7 +277,9 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
       const bool bodied = beside_bodies(setup, chunk, count);
       bool in_soil = false;
       for (int l = 0; l < count; ++l) {
-        porosity[l] = grid.cell_porosity[cell_index(lattice, chunk, l)];
+        const std::ptrdiff_t cell = cell_index(lattice, chunk, l);
+        porosity[l] = grid.cell_porosity[cell];
+        wet[l] = grid.wet[cell];
         in_soil = in_soil || porosity[l] < 1;
       }
       over_components<Space>([&]<int c>() {
@@ -292,7 +298,7 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
         motion.speed = std::max(motion.speed, most_cells<c>(lattice, chunk, count, gathered.value));
         motion.drift = std::max(motion.drift, most_cells<c>(lattice, chunk, count, displacement[c]));
       });
-      if (stretched) stretch_boxes(dt, porosity, first, count, water);
+      if (stretched) stretch_boxes(dt, porosity, wet, first, count, water);
       move_chunk(setup, setup.water_box, dt, walled, bodied, first, count, displacement, water);
     }
     return motion;

@@ -5,6 +5,7 @@
 
 #include "polder/math/units.hpp"
 #include "polder/points/tiles.hpp"
+#include "polder/step/soil_exchange.hpp"
 
 namespace polder {
 
@@ -93,12 +94,18 @@ std::vector<Exchange> exchange_through_sides(const Setup<Space>& setup, double d
     }
   if (any) remove_points(water, leaves);
   for (const OpenSide& side : setup.open_sides) {
-    if (side.only_out) continue;
     over_side(lattice, side,
               [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>& cell) {
+                const double entered = -side.outward() * grid.porosity[side.axis][face] *
+                                       grid.water_velocity[side.axis][face] * lattice.face_area(side.axis, cell) * dt;
+                if (carries_water(setup, grid, inside)) {  // without points
+                  grid.spare[inside] += entered;
+                  exchanged.push_back({inside, entered});
+                  return;
+                }
+                if (side.only_out) return;
                 double& owed = grid.owed[outside];
-                owed -= side.outward() * grid.porosity[side.axis][face] * grid.water_velocity[side.axis][face] *
-                        lattice.face_area(side.axis, cell) * dt;
+                owed += entered;
                 const double each = grid.cell_porosity[inside] * setup.nominal_point_volume(cell);
                 const double layer = each * std::pow(setup.points_per_axis, Space::axes - 1);
                 while (owed >= layer) {

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double thinnest_cube = 0.1;   // cells, half the edge of a water point's box
 constexpr double thinnest_half = 0.02;  // likewise, where it is flattened
+constexpr double least_room = 1e-3;     // share of a cell that saturated soil leaves to free water
 
 /// |q| in a cell, from the faces below and above it.
 template <class Space>
@@ -154,8 +155,9 @@ template <class Space>
 void carried_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
                      GridFields<Space>& grid, Team& team) {
   const auto& lattice = setup.lattice;
-  clear<Space>(lattice, grid.rows, setup.soil_box, {&grid.carried_mass}, team,
-               [&](std::ptrdiff_t first, int count) { std::fill_n(grid.saturated_solid.begin() + first, count, 0.0); });
+  clear<Space>(lattice, grid.rows, setup.soil_box, {&grid.carried_mass}, team, [&](std::ptrdiff_t first, int count) {
+    for (Array* field : {&grid.saturated_solid, &grid.carried_volume}) std::fill_n(field->begin() + first, count, 0.0);
+  });
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
@@ -165,7 +167,7 @@ void carried_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
       const std::size_t p = first + l;
       const double n = soil.porosity[p];
       const double bulk = bulk_volume(setup, soil, p);
-      water[l] = soil.saturated[p] ? n * bulk : 0;
+      water[l] = soil.water[p];
       solid[l] = soil.saturated[p] ? (1 - n) * bulk : 0;
       mass[l] = setup.water.density * water[l];
       half[l] = half_edge<Space>(bulk, lattice.cell_volume(cell_places(chunk, l)));
@@ -184,7 +186,7 @@ void carried_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
           setup, soil.position, setup.soil_box, first, count, chunk, walled, half_edges, [&](int l) { return what[l]; },
           [&](std::ptrdiff_t cell, double part) { field[cell] += part; });
     };
-    share_out(water, grid.water_volume);
+    share_out(water, grid.carried_volume);
     share_out(solid, grid.saturated_solid);
     over_components<Space>([&]<int c>() {
       if (!walled) return scatter_value<c>(lattice, chunk, mass, count, grid.carried_mass[c].data());
@@ -195,6 +197,7 @@ void carried_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
     });
   });
   for (int c = 0; c < Space::axes; ++c) fold(grid.carried_mass[c], c, false, setup.soil_box, lattice);
+  for (Array* field : {&grid.saturated_solid, &grid.carried_volume}) join_ends(*field, setup.soil_box, lattice);
 }
 
 }  // namespace
@@ -344,10 +347,15 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
     for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
       const double open = setup.bodies.open_cell(cell), cell_volume = of_row(cell - first);
       grid.fill[cell] = open > 0 ? grid.water_volume[cell] / (grid.cell_porosity[cell] * cell_volume * open) : 0;
-      if (setup.single_point) {  // soil that carries its water ends where its grains do: what is above is not pores
-        const double saturated = grid.saturated_solid[cell];
-        const double room = grid.cell_porosity[cell] * cell_volume * open + saturated;
-        grid.fill[cell] = open > 0 ? (grid.water_volume[cell] + saturated) / room : 0;
+      if (setup.single_point && open > 0) {
+        // soil that carries its water ends where its grains do; free water is in what is left of the cell
+        const double carried = grid.carried_volume[cell], free = grid.water_volume[cell];
+        const double taken = (carried + grid.saturated_solid[cell]) / (cell_volume * open);
+        const double pores = grid.cell_porosity[cell] * cell_volume * open;
+        grid.fill[cell] = taken < 1 - least_room && pores - carried > least_room * pores
+                              ? taken + (1 - taken) * free / (pores - carried)
+                              : taken + free / (cell_volume * open);
+        grid.water_volume[cell] += carried;
       }
       // a cell that is just half full is dry, whatever the sums round to
       grid.wet[cell] = grid.fill[cell] > setup.numerics.wet_threshold + 1e-9;

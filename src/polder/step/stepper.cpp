@@ -9,9 +9,11 @@
 #include "polder/step/cavities.hpp"
 #include "polder/step/face_predictor.hpp"
 #include "polder/step/far_field.hpp"
+#include "polder/step/films.hpp"
 #include "polder/step/open_sides.hpp"
 #include "polder/step/points_to_grid.hpp"
 #include "polder/step/rain.hpp"
+#include "polder/step/soil_exchange.hpp"
 #include "polder/step/unresolved.hpp"
 #include "polder/step/wall_friction.hpp"
 
@@ -66,6 +68,7 @@ Stepper<Space>::Stepper(Setup<Space> setup_, SoilPoints<Space> soil_, WaterPoint
       team(threads),
       solver_(setup.lattice) {
   if (!setup.rains.empty()) grid.rain = setup.lattice.make_array();
+  if (setup.single_point && !setup.unsaturated) grid.spare = setup.lattice.make_array();
   if (setup.numerics.transfer == Transfer::xpic) grid.unresolved = make_face_field(setup.lattice);
   if (setup.any_absorbs()) {
     grid.far_force = make_face_field(setup.lattice);
@@ -206,6 +209,7 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
 
   if (setup.water.viscous) add_viscous_stress(setup, dt, grid, team);
   predict_faces(setup, control, dt, grid, team);
+  if (water.size() > 0) spread_films(setup, control, dt, grid, team);
   if (!setup.open_sides.empty()) close_seepage_faces(setup, grid);
   watch.lap(times.faces);
 
@@ -267,6 +271,7 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   if (!setup.rains.empty()) add(let_it_rain(setup, control.time, dt, grid, next_water_id, water));
   if (!setup.open_sides.empty()) add(exchange_through_sides(setup, dt, grid, next_water_id, water));
   if (!setup.reservoirs.empty()) add(exchange_with_reservoirs(setup, control.time, grid, next_water_id, water));
+  if (!grid.spare.empty() && exchange_with_soil(setup, dt, grid, next_water_id, soil, water)) sorted = false;
   if (!sorted) sort_water();
   ++step;
   if (setup.numerics.split_water && step % resample_every == 0) resample();

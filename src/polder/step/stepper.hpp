@@ -50,6 +50,7 @@ class Stepper {
     for (int c = 0; c < Space::axes; ++c) archive("grid/relative_flux" + std::to_string(c), grid.relative_flux[c]);
     if (!setup.open_sides.empty()) archive("grid/owed", grid.owed);
     if (!setup.rains.empty()) archive("grid/rain", grid.rain);
+    if (!grid.spare.empty()) archive("grid/spare", grid.spare);
     if (setup.any_absorbs()) {
       for (int c = 0; c < Space::axes; ++c) archive("grid/far_force" + std::to_string(c), grid.far_force[c]);
       archive("grid/far_pressure", grid.far_pressure);

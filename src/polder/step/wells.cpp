@@ -7,6 +7,7 @@
 
 #include "polder/math/random.hpp"
 #include "polder/points/tiles.hpp"
+#include "polder/step/soil_exchange.hpp"
 
 namespace polder {
 
@@ -78,8 +79,8 @@ std::vector<WellFlow> well_flows(const Setup<Space>& setup, double time, const G
 
 template <class Space>
 std::vector<Exchange> exchange_with_wells(const Setup<Space>& setup, double dt, const std::vector<WellFlow>& flows,
-                                          const GridFields<Space>& grid, std::uint64_t& next_id,
-                                          WaterPoints<Space>& water, bool& sorted) {
+                                          GridFields<Space>& grid, std::uint64_t& next_id, WaterPoints<Space>& water,
+                                          bool& sorted) {
   std::vector<Exchange> exchanged;
   if (flows.empty()) return exchanged;
   const auto& lattice = setup.lattice;
@@ -94,6 +95,11 @@ std::vector<Exchange> exchange_with_wells(const Setup<Space>& setup, double dt, 
   for (const WellFlow& flow : flows) {
     const double nominal = setup.nominal_point_volume(flow.cell);
     double left = dt * (flow.conductance * (grid.pressure[flow.cell] - flow.level) + flow.rate);
+    if (carries_water(setup, grid, flow.cell)) {
+      grid.spare[flow.cell] -= left;
+      exchanged.push_back({flow.cell, -left});
+      continue;
+    }
     std::vector<std::size_t>& points = inside.at(flow.cell);
     const auto smaller = [&](std::size_t a, std::size_t b) {
       return std::pair{water.volume[a], water.id[a]} < std::pair{water.volume[b], water.id[b]};
@@ -139,10 +145,9 @@ std::vector<Exchange> exchange_with_wells(const Setup<Space>& setup, double dt, 
 template std::vector<WellFlow> well_flows(const Setup<PlaneStrain>&, double, const GridFields<PlaneStrain>&);
 template std::vector<WellFlow> well_flows(const Setup<Solid>&, double, const GridFields<Solid>&);
 template std::vector<Exchange> exchange_with_wells(const Setup<PlaneStrain>&, double, const std::vector<WellFlow>&,
-                                                   const GridFields<PlaneStrain>&, std::uint64_t&,
-                                                   WaterPoints<PlaneStrain>&, bool&);
-template std::vector<Exchange> exchange_with_wells(const Setup<Solid>&, double, const std::vector<WellFlow>&,
-                                                   const GridFields<Solid>&, std::uint64_t&, WaterPoints<Solid>&,
+                                                   GridFields<PlaneStrain>&, std::uint64_t&, WaterPoints<PlaneStrain>&,
                                                    bool&);
+template std::vector<Exchange> exchange_with_wells(const Setup<Solid>&, double, const std::vector<WellFlow>&,
+                                                   GridFields<Solid>&, std::uint64_t&, WaterPoints<Solid>&, bool&);
 
 }  // namespace polder

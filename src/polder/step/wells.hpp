@@ -28,7 +28,7 @@ std::vector<WellFlow> well_flows(const Setup<Space>& setup, double time, const G
 /// exchanged; `sorted` becomes false where points have come or gone.
 template <class Space>
 std::vector<Exchange> exchange_with_wells(const Setup<Space>& setup, double dt, const std::vector<WellFlow>& flows,
-                                          const GridFields<Space>& grid, std::uint64_t& next_id,
-                                          WaterPoints<Space>& water, bool& sorted);
+                                          GridFields<Space>& grid, std::uint64_t& next_id, WaterPoints<Space>& water,
+                                          bool& sorted);
 
 }  // namespace polder
