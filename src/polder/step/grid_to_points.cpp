@@ -58,18 +58,19 @@ double most_cells(const Lattice<Space>& lattice, const ChunkWeights<Space>& chun
 }
 
 /// The boxes of points in free water stretch along the axes with the flow, at constant volume. In soil, whose pores mix
-/// the water, a box is shaped as a cell; in films and spray, whose motion nothing keeps free of divergence, it keeps
-/// its shape.
+/// the water, a box is shaped as a cell; in films and spray, whose motion nothing keeps free of divergence, it becomes
+/// no more than twice as long or short.
 template <class Space>
 void stretch_boxes(double dt, const double* porosity, const bool* wet, std::size_t first, int count,
                    WaterPoints<Space>& water) {
   constexpr int axes = Space::axes;
   for (int l = 0; l < count; ++l) {
     const std::size_t p = first + static_cast<std::size_t>(l);
-    if (!wet[l] && porosity[l] == 1) continue;
     double edge[axes], product = 1;
     for (int a = 0; a < axes; ++a) {
-      edge[a] = (1 + water.elongation[a][p]) * std::max(0.5, 1 + dt * water.affine[a * axes + a][p]);
+      const double before = 1 + water.elongation[a][p];
+      edge[a] = before * std::max(0.5, 1 + dt * water.affine[a * axes + a][p]);
+      if (!wet[l] && (edge[a] < 0.5 || edge[a] > 2)) edge[a] = before;
       product *= edge[a];
     }
     const double scale = axes == 2 ? 1 / std::sqrt(product) : 1 / std::cbrt(product);

@@ -200,6 +200,33 @@ void carried_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
   for (Array* field : {&grid.saturated_solid, &grid.carried_volume}) join_ends(*field, setup.soil_box, lattice);
 }
 
+/// A cell that is just half full is dry, whatever the sums round to.
+template <class Space>
+bool is_wet(const Setup<Space>& setup, double fill) {
+  return fill > setup.numerics.wet_threshold + 1e-9;
+}
+
+/// What the soil carries is in the cells beside the free water. Such soil ends where its grains do; free water is in
+/// what is left of a cell.
+template <class Space>
+void fill_with_carried(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) {
+  over_cell_rows(setup.lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+    const RowVolume<Space> of_row(setup.lattice, place);
+    for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
+      const double whole = of_row(cell - first) * setup.bodies.open_cell(cell);
+      const double carried = grid.carried_volume[cell], free = grid.water_volume[cell];
+      if (whole <= 0 || carried == 0) continue;
+      const double taken = (carried + grid.saturated_solid[cell]) / whole;
+      const double pores = grid.cell_porosity[cell] * whole;
+      grid.fill[cell] = taken < 1 - least_room && pores - carried > least_room * pores
+                            ? taken + (1 - taken) * free / (pores - carried)
+                            : taken + free / whole;
+      grid.water_volume[cell] += carried;
+      grid.wet[cell] = is_wet(setup, grid.fill[cell]);
+    }
+  });
+}
+
 }  // namespace
 
 template <class Space>
@@ -347,20 +374,10 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
     for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
       const double open = setup.bodies.open_cell(cell), cell_volume = of_row(cell - first);
       grid.fill[cell] = open > 0 ? grid.water_volume[cell] / (grid.cell_porosity[cell] * cell_volume * open) : 0;
-      if (setup.single_point && open > 0) {
-        // soil that carries its water ends where its grains do; free water is in what is left of the cell
-        const double carried = grid.carried_volume[cell], free = grid.water_volume[cell];
-        const double taken = (carried + grid.saturated_solid[cell]) / (cell_volume * open);
-        const double pores = grid.cell_porosity[cell] * cell_volume * open;
-        grid.fill[cell] = taken < 1 - least_room && pores - carried > least_room * pores
-                              ? taken + (1 - taken) * free / (pores - carried)
-                              : taken + free / (cell_volume * open);
-        grid.water_volume[cell] += carried;
-      }
-      // a cell that is just half full is dry, whatever the sums round to
-      grid.wet[cell] = grid.fill[cell] > setup.numerics.wet_threshold + 1e-9;
+      grid.wet[cell] = is_wet(setup, grid.fill[cell]);
     }
   });
+  if (setup.single_point) fill_with_carried(setup, grid, team);
   join_ends(grid.fill, setup.water_box, lattice);
   join_ends(grid.wet, setup.water_box, lattice);
 }
