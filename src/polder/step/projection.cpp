@@ -271,6 +271,9 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
       }
     });
   });
+  for (std::size_t cell = 0; setup.single_point && cell < grid.carried_volume.size(); ++cell)
+    if (grid.carried_volume[cell] > 0)  // what soil carries does not move
+      solver.right_side[cell] *= std::max(0.0, 1 - grid.carried_volume[cell] / grid.water_volume[cell]);
   for (const std::ptrdiff_t cell : grid.cavities)  // a void is not to be filled from around it
     solver.right_side[cell] = std::max(0.0, solver.right_side[cell]);
   const SolveResult result = solver.solve(grid.rows, grid.potential, 1e-2, 60, team);

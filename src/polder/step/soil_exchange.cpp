@@ -238,8 +238,10 @@ class Settlement {
       if (a == along) share = way > 0 ? 0.125 : 0.875;
       if (a == Space::up && along < 0) share = std::min(0.95, soil + 0.25 * (1 - soil));
       water_.position[a][p] = lattice.axis[a].at_place(lattice.place(target, a) + share);
-      water_.velocity[a][p] =
-          0.5 * (grid_.water_velocity[a][target] + grid_.water_velocity[a][target + lattice.stride[a]]);
+      const Array& v = grid_.water_velocity[a];
+      const std::ptrdiff_t next = cell + lattice.stride[a];
+      const bool out = a == (along < 0 ? Space::up : along);  // that of the face which it comes from
+      water_.velocity[a][p] = out ? v[way > 0 ? next : cell] : 0.5 * (v[cell] + v[next]);
     }
   }
 
