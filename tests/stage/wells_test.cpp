@@ -15,10 +15,38 @@ namespace {
 
 constexpr double conductivity = 5e-3, depth = 1, reach = 2.1;
 
+/// Heads of the layer's ends; and its formulation.
+const std::string sides = R"([[boundary]]
+side = "left"
+water = "head"
+head = "5 m"
+[[boundary]]
+side = "right"
+water = "head"
+head = "5 m"
+)";
+const std::string sides_of_pores = R"([[seepage_boundary]]
+line = [[0, 0], [0, 1]]
+head = "5 m"
+[[seepage_boundary]]
+line = [[4.2, 0], [4.2, 1]]
+head = "5 m"
+[[seepage_boundary]]
+line = [[0, 1], [4.2, 1]]
+condition = "closed"
+[[retention]]
+material = "sand"
+model = "van-genuchten"
+g_a = "3 1/m"
+g_n = 3
+)";
+
 /// A confined layer of rigid sand, 1 m thick, with a head of 5 m at its two ends; `cell` must divide 0.2 m oddly.
-std::string layer(double cell, const std::string& well) {
+std::string layer(double cell, const std::string& well, const std::string& ends = sides,
+                  const std::string& formulation = "double-point") {
   return fmt::format(R"(
 [model]
+formulation = "{}"
 size = [4.2, 1]
 cell = {}
 points_per_axis = 2
@@ -41,18 +69,10 @@ pressure_tolerance = 1e-9
 [[stage]]
 name = "flow"
 duration = "0.3 s"
-[[boundary]]
-side = "left"
-water = "head"
-head = "5 m"
-[[boundary]]
-side = "right"
-water = "head"
-head = "5 m"
-[[well]]
+{}[[well]]
 at = [[2.1, 0.5]]
 {})",
-                     cell, well);
+                     formulation, cell, ends, well);
 }
 
 const std::string gravel = R"([[material]]
@@ -117,6 +137,19 @@ TEST(Well, ThatOnlyTakesGivesNothing) {
 TEST(Well, OfAGivenDischargeTakesItToTheDrop) {
   for (const double q : {6e-3, -6e-3})
     EXPECT_NEAR(discharge_of(read_text(layer(0.2, fmt::format("discharge = {}\n", q)))), q, 1e-12);
+}
+
+TEST(Well, TakesAsMuchFromSoilThatCarriesItsWater) {
+  const auto taken = [](const std::string& well) {
+    return discharge_of(read_text(layer(0.2, well, sides_of_pores, "unsaturated")));
+  };
+  EXPECT_NEAR(taken("head = \"3 m\"\nradius = \"2 cm\"\n"), exact(2, 0.02), 0.02 * exact(2, 0.02));
+  EXPECT_NEAR(-taken("head = \"7 m\"\nradius = \"2 cm\"\nonly_takes = false\n"), exact(2, 0.02), 0.02 * exact(2, 0.02));
+  EXPECT_NEAR(taken("discharge = 6e-3\n"), 6e-3, 1e-12);
+  EXPECT_EQ(taken("head = \"7 m\"\nradius = \"2 cm\"\n"), 0);
+  const double single =
+      discharge_of(read_text(layer(0.2, "head = \"3 m\"\nradius = \"2 cm\"\n", sides, "single-point")));
+  EXPECT_NEAR(single, exact(2, 0.02), 0.02 * exact(2, 0.02));
 }
 
 TEST(Well, InASolidTakesAsMuchPerMetre) {

@@ -42,7 +42,6 @@ void check_unsaturated_limits(const Sections& sections, const Model& model, Diag
   if (model.numerics.transfer != Transfer::apic) refuse(sections.numerics, "transfer", "is", "leave it out");
   if (!model.rains.empty())
     refuse(sections.rains.front(), "rate", "[[rain]] is", "give condition = \"rain\" by a [[seepage_boundary]]");
-  if (!model.wells.empty()) refuse(sections.wells.front(), "at", "wells are", "leave them out");
   if (!model.free_water.empty())
     refuse(sections.free_water.front(), "box", "free water is",
            "give the river's level as a head by a [[seepage_boundary]]");

@@ -12,6 +12,7 @@
 #include "polder/step/projection.hpp"
 #include "polder/step/soil_volume.hpp"
 #include "polder/step/wall_friction.hpp"
+#include "polder/step/wells.hpp"
 
 namespace polder {
 
@@ -325,6 +326,7 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   std::vector<PoreExit> exits;
   if (!control.hold_water) {
     exits = pore_exits(setup, ground_, control.time, setup.gravity, pores);
+    for (const PoreExit& exit : well_exits(setup, control.time, grid, pores)) exits.push_back(exit);
     result = solve_pore_pressure(setup, dt, setup.gravity, exits, grid, pores, solver, team);
   }
   if (!setup.friction.empty()) rub_along_walls(setup, dt, soil, grid);

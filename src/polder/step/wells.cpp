@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -23,16 +24,36 @@ double conductivity(const Setup<Space>& setup, const GridFields<Space>& grid, st
   return drag > 0 ? setup.lattice.cell_volume(cell) / drag : 0;
 }
 
+/// Pa at a cell's centre under the well's head; 0 above it, where the well holds air.
+template <class Space>
+double level_in(const Setup<Space>& setup, const WellCells& well, double time, std::ptrdiff_t cell) {
+  const double height = setup.lattice.axis[Space::up].centre(setup.lattice.place(cell, Space::up));
+  return std::max(0.0, setup.water.density * setup.gravity * ((*well.well.head)(time)-height));
+}
+
+/// m³/s that a well of a given discharge takes from one of its cells; `length`: of the well in cells with water.
+template <class Space>
+double discharge_in(const WellCells& well, double time, std::size_t i, double length) {
+  return (*well.well.discharge)(time) * (Space::axes == 2 ? well.length[i] / length : well.length[i]);
+}
+
+/// m, of a well in the cells that `counts`.
+template <class Counts>
+double length_in(const WellCells& well, Counts&& counts) {
+  double length = 0;
+  for (std::size_t i = 0; i < well.cells.size(); ++i)
+    if (counts(well.cells[i])) length += well.length[i];
+  return length;
+}
+
 /// Peaceman (1978, 1983): a well's pressure is that of its cell at r₀ from its axis, with r₀ = 0.14 √(h₁² + h₂²) of the
 /// two spacings across it where the soil conducts alike on both.
 template <class Space>
-double conductance_of(const Setup<Space>& setup, const GridFields<Space>& grid, const WellCells& well, std::size_t i) {
-  const auto& lattice = setup.lattice;
-  const double horizontal = conductivity(setup, grid, well.cells[i], false);
+double conductance_of(const Lattice<Space>& lattice, double horizontal, double vertical, const WellCells& well,
+                      std::size_t i) {
   if (horizontal <= 0) return 0;
   if (Space::axes == 2 && well.line)  // a slot: its cells have its pressure
     return open_slot * horizontal * well.length[i] / lattice.smallest_spacing();
-  const double vertical = conductivity(setup, grid, well.cells[i], true);
   const std::array<int, 3> place = lattice.places(well.cells[i]);
   double across[2] = {lattice.axis[0].width(place[0]), lattice.axis[1].width(place[1])}, k[2] = {horizontal, vertical};
   if (Space::axes == 3) {
@@ -54,27 +75,54 @@ double conductance_of(const Setup<Space>& setup, const GridFields<Space>& grid, 
 template <class Space>
 std::vector<WellFlow> well_flows(const Setup<Space>& setup, double time, const GridFields<Space>& grid) {
   const auto& lattice = setup.lattice;
-  const double gamma = setup.water.density * setup.gravity;
   std::vector<WellFlow> flows;
   for (const WellCells& well : setup.wells) {
-    double length = 0;
-    for (std::size_t i = 0; i < well.cells.size(); ++i)
-      if (grid.wet[well.cells[i]]) length += well.length[i];
+    const double length = length_in(well, [&](std::ptrdiff_t cell) { return grid.wet[cell]; });
     for (std::size_t i = 0; i < well.cells.size(); ++i) {
       const std::ptrdiff_t cell = well.cells[i];
       if (!grid.wet[cell]) continue;
       if (well.well.discharge) {
-        const double share = Space::axes == 2 ? well.length[i] / length : well.length[i];
-        flows.push_back({cell, 0, 0, (*well.well.discharge)(time)*share});
+        flows.push_back({cell, 0, 0, discharge_in<Space>(well, time, i, length)});
         continue;
       }
-      const double height = lattice.axis[Space::up].centre(lattice.place(cell, Space::up));
-      const double level = std::max(0.0, gamma * ((*well.well.head)(time)-height));
+      const double level = level_in(setup, well, time, cell);
       if (well.well.only_takes && grid.pressure[cell] <= level) continue;
-      flows.push_back({cell, conductance_of(setup, grid, well, i), level, 0});
+      const double conductance = conductance_of(lattice, conductivity(setup, grid, cell, false),
+                                                conductivity(setup, grid, cell, true), well, i);
+      flows.push_back({cell, conductance, level, 0});
     }
   }
   return flows;
+}
+
+template <class Space>
+std::vector<PoreExit> well_exits(const Setup<Space>& setup, double time, const GridFields<Space>& grid,
+                                 const PoreFields<Space>& pores) {
+  constexpr double unbounded = -std::numeric_limits<double>::infinity();
+  std::vector<PoreExit> exits;
+  const auto saturated = [&](std::ptrdiff_t cell) {
+    return pores.active[cell] && pores.host[cell] < 0 && grid.pressure[cell] >= 0;
+  };
+  const auto conducts = [&](std::ptrdiff_t cell, bool vertical) {
+    const double resistance = pores.resistance[vertical ? 1 : 0][cell];
+    return resistance > 0 ? pores.relative[cell] / resistance : 0;
+  };
+  for (const WellCells& well : setup.wells) {
+    const double length = length_in(well, saturated);
+    for (std::size_t i = 0; i < well.cells.size(); ++i) {
+      const std::ptrdiff_t cell = well.cells[i];
+      if (well.well.discharge) {
+        if (saturated(cell)) exits.push_back(PoreExit::given(cell, discharge_in<Space>(well, time, i, length)));
+        continue;
+      }
+      if (!pores.active[cell] || pores.host[cell] >= 0) continue;
+      const double level = level_in(setup, well, time, cell);
+      const bool gives = !well.well.only_takes && level > 0;
+      const double conductance = conductance_of(setup.lattice, conducts(cell, false), conducts(cell, true), well, i);
+      exits.push_back({cell, conductance, level, gives ? unbounded : 0});
+    }
+  }
+  return exits;
 }
 
 template <class Space>
@@ -144,6 +192,10 @@ std::vector<Exchange> exchange_with_wells(const Setup<Space>& setup, double dt, 
 
 template std::vector<WellFlow> well_flows(const Setup<PlaneStrain>&, double, const GridFields<PlaneStrain>&);
 template std::vector<WellFlow> well_flows(const Setup<Solid>&, double, const GridFields<Solid>&);
+template std::vector<PoreExit> well_exits(const Setup<PlaneStrain>&, double, const GridFields<PlaneStrain>&,
+                                          const PoreFields<PlaneStrain>&);
+template std::vector<PoreExit> well_exits(const Setup<Solid>&, double, const GridFields<Solid>&,
+                                          const PoreFields<Solid>&);
 template std::vector<Exchange> exchange_with_wells(const Setup<PlaneStrain>&, double, const std::vector<WellFlow>&,
                                                    GridFields<PlaneStrain>&, std::uint64_t&, WaterPoints<PlaneStrain>&,
                                                    bool&);

@@ -6,6 +6,7 @@
 #include "polder/grid/pressure_solver.hpp"
 #include "polder/points/point_sets.hpp"
 #include "polder/step/fields.hpp"
+#include "polder/step/pore_flow.hpp"
 #include "polder/step/reservoirs.hpp"
 #include "polder/step/setup.hpp"
 
@@ -23,6 +24,12 @@ struct WellFlow {
 /// below its own. After water_to_grid().
 template <class Space>
 std::vector<WellFlow> well_flows(const Setup<Space>& setup, double time, const GridFields<Space>& grid);
+
+/// The same in the unsaturated formulation, as exits of the pores: of cells without suction, and a well's water is in
+/// its part below its head. After prepare_cells().
+template <class Space>
+std::vector<PoreExit> well_exits(const Setup<Space>& setup, double time, const GridFields<Space>& grid,
+                                 const PoreFields<Space>& pores);
 
 /// Takes what has flowed in the step out of the cells' points, the smallest first, or adds it to them. Returns what was
 /// exchanged; `sorted` becomes false where points have come or gone.
