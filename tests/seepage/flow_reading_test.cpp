@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
+#include "polder/case/reader.hpp"
 #include "polder/seepage/chain_sides.hpp"
 #include "polder/seepage/model_flow.hpp"
 
@@ -92,6 +94,43 @@ TEST(FlowReading, RetentionBelongsToItsMaterial) {
   const ModelFlow flow = model_flow(box(), input);
   ASSERT_EQ(flow.materials.size(), 1u);
   EXPECT_NEAR(saturation(flow.materials[0].retention, 1e5), 0.96, 1e-12);
+}
+
+TEST(FlowReading, TakesRetentionByTables) {
+  const std::string path = testing::TempDir() + "/TakesRetentionByTables.toml";
+  std::ofstream(path) << R"(
+[model]
+size = [1, 1]
+cell = 0.1
+formulation = "unsaturated"
+[[material]]
+name = "silt"
+law = "linear-elastic"
+young_modulus = "10 MPa"
+grain_density = "2650 kg/m3"
+porosity = 0.4
+permeability = "1e-6 m/s"
+[[soil]]
+material = "silt"
+box = [[0, 0], [1, 0.5]]
+[[retention]]
+material = "silt"
+model = "table"
+saturation = [["0 kPa", 1], ["5 kPa", 0.7], ["50 kPa", 0.25]]
+conductivity = "table"
+relative_conductivity = [[0.2, 0.001], [0.7, 0.2], [1, 1]]
+[[stage]]
+name = "rest"
+duration = "1 s"
+)";
+  const ReadResult read = read_case(path);
+  ASSERT_TRUE(read.ok()) << format(read.diagnostics);
+  ASSERT_EQ(read.model.retentions.size(), 1u);
+  const MaterialRetention& silt = read.model.retentions[0];
+  EXPECT_NEAR(saturation(silt.retention, 2.5e3), 0.85, 1e-12);
+  EXPECT_NEAR(saturation(silt.retention, 1e6), 0.25, 1e-12);
+  EXPECT_NEAR(capacity(silt.retention, 1e4), 0.45 / 45e3, 1e-15);
+  EXPECT_NEAR(relative_conductivity(silt.curve, silt.retention, 2.5e3), 0.6, 1e-12);
 }
 
 TEST(ChainSides, JoinsWhatFollowsAndKeepsGaps) {

@@ -135,19 +135,24 @@ bool read_points(const Reading& r, const Value& value, std::size_t least, std::s
   return good;
 }
 
-bool check_increasing(const Reading& r, const Value& value, const Table& table) {
+bool check_increasing(const Reading& r, const Value& value, const Quantity& by, const Table& table) {
+  const bool time = by.name == "time";
   for (std::size_t i = 1; i < table.x.size(); ++i)
     if (!(table.x[i] > table.x[i - 1])) {
-      r.fail(value, fmt::format("times do not increase: {:g} s is followed by {:g} s", table.x[i - 1], table.x[i]),
-             "list the points in the order of time, each instant once");
+      r.fail(value,
+             fmt::format("{}s do not increase: {} is followed by {}", by.name, show_measure(table.x[i - 1], by),
+                         show_measure(table.x[i], by)),
+             time ? "list the points in the order of time, each instant once"
+                  : fmt::format("list the points by rising {}, each once", by.name));
       return false;
     }
   return true;
 }
 
-/// Two columns, time in s and value in m, separated by commas, semicolons or blanks; lines that start with a letter or
+/// Two columns, time in s (or what else it is by, in SI) and value in SI, separated by commas, semicolons or blanks;
+/// lines that start with a letter or
 /// '#' are headings.
-bool read_csv(const Reading& r, const Value& value, Entry& field) {
+bool read_csv(const Reading& r, const Value& value, const Quantity& by, Entry& field) {
   const auto path = std::filesystem::path(value.place.file).parent_path() / value.text;
   std::ifstream file(path);
   std::error_code unknown;
@@ -174,43 +179,49 @@ bool read_csv(const Reading& r, const Value& value, Entry& field) {
     while (at < end && *at == ' ') ++at;
     if (!good || at != end) {
       report(r.diagnostics, {path.string(), number, 1, {}}, r.path, "is not a line of two numbers",
-             "each line has a time in s and a value in SI, such as 60, 0.8");
+             by.name == "time" ? "each line has a time in s and a value in SI, such as 60, 0.8"
+                               : fmt::format("each line has a {} and a value, both in SI", by.name));
       return false;
     }
     field.table.x.push_back(column[0]);
     field.table.y.push_back(column[1]);
   }
   if (field.table.x.empty()) r.fail(value, fmt::format("the file \"{}\" has no lines of numbers", value.text));
-  return !field.table.x.empty() && check_increasing(r, value, field.table);
+  return !field.table.x.empty() && check_increasing(r, value, by, field.table);
 }
 
-bool read_table(const Reading& r, const Value& value, const Quantity& quantity, Entry& field) {
+bool read_table(const Reading& r, const Value& value, const TableKind& kind, Entry& field) {
+  const Quantity& quantity = *kind.of;
   if (value.kind == Value::Kind::text && value.text.ends_with(".csv")) {
-    if (!read_csv(r, value, field)) return false;
+    if (!read_csv(r, value, *kind.by, field)) return false;
     return std::all_of(field.table.y.begin(), field.table.y.end(),
                        [&](double y) { return in_range(r, value, y).has_value(); });
   }
-  if (value.kind != Value::Kind::list) {
+  if (value.kind != Value::Kind::list && kind.by_time()) {
     const auto number = read_number(r, value, quantity);
     if (number) field.table = Table::constant(*number);
     return number.has_value();
+  }
+  if (value.kind != Value::Kind::list) {
+    r.fail(value, fmt::format("is {}; a list is needed", name_of(value.kind)));
+    return false;
   }
   bool good = !value.items.empty();
   if (value.items.empty()) r.fail(value, "is an empty list");
   for (const Value& item : value.items) {
     if (item.kind != Value::Kind::list || item.items.size() != 2) {
-      r.fail(item, "is not a pair [time, value]");
+      r.fail(item, fmt::format("is not a pair [{}, value]", kind.by->name));
       good = false;
       continue;
     }
-    const auto time = read_physical(r, item.items[0], *find_quantity("time"));
+    const auto at = read_physical(r, item.items[0], *kind.by);
     const auto number = read_number(r, item.items[1], quantity);
-    if (time && !std::isfinite(*time)) r.fail(item.items[0], "is not a finite time");
-    good = good && time && number && std::isfinite(*time);
-    field.table.x.push_back(time.value_or(0));
+    if (at && !std::isfinite(*at)) r.fail(item.items[0], fmt::format("is not a finite {}", kind.by->name));
+    good = good && at && number && std::isfinite(*at);
+    field.table.x.push_back(at.value_or(0));
     field.table.y.push_back(number.value_or(0));
   }
-  return good && check_increasing(r, value, field.table);
+  return good && check_increasing(r, value, *kind.by, field.table);
 }
 
 bool read_choice(const Reading& r, const Value& value, const std::vector<std::string>& words, Entry& field) {
@@ -290,7 +301,7 @@ bool read_field(const Reading& r, const Value& value, Entry& field) {
   if (kind == "box") return read_points(r, value, 2, 2, true, field);
   if (kind == "points") return read_points(r, value, 1, many, true, field);
   if (kind.starts_with("list of ")) return read_numbers(r, value, *find_quantity(kind.substr(8)), field.numbers);
-  if (kind.starts_with("table of ")) return read_table(r, value, *find_quantity(kind.substr(9)), field);
+  if (const auto table = table_kind(kind)) return read_table(r, value, *table, field);
   return kind == "file" ? read_file(r, value, field) : read_text(r, value, field);
 }
 

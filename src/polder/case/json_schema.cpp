@@ -48,9 +48,10 @@ Json value_of(const Key& key) {
     const Json one = measure(*find_quantity(key.quantity.substr(8)), key);
     return {{"anyOf", {one["anyOf"][0], one["anyOf"][1], Json{{"type", "array"}, {"items", one}}}}};
   }
-  if (key.quantity.starts_with("table of ")) {
-    const Json one = measure(*find_quantity(key.quantity.substr(9)), key);
+  if (const auto table = table_kind(key.quantity)) {
+    const Json one = measure(*table->of, key);
     const Json pairs{{"type", "array"}, {"minItems", 1}, {"items", points(2, 2, 2)["items"]}};
+    if (!table->by_time()) return {{"anyOf", {Json{{"type", "string"}}, pairs}}};
     return {{"anyOf", {one["anyOf"][0], one["anyOf"][1], pairs}}};
   }
   return {{"type", "string"}};

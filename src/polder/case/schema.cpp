@@ -445,6 +445,14 @@ std::vector<std::string> choices_of(std::string_view quantity) {
   }
 }
 
+std::optional<TableKind> table_kind(std::string_view quantity) {
+  if (!quantity.starts_with("table of ")) return {};
+  quantity.remove_prefix(9);
+  const auto by = quantity.find(" by ");
+  return TableKind{find_quantity(quantity.substr(0, by)),
+                   find_quantity(by == std::string_view::npos ? "time" : quantity.substr(by + 4))};
+}
+
 std::string expected(const Key& key) {
   if (const auto words = choices_of(key.quantity); !words.empty())
     return fmt::format("one of \"{}\"", fmt::join(words, "\", \""));
@@ -461,9 +469,9 @@ std::string expected(const Key& key) {
   if (key.quantity == "list of length") return "lengths" + such;
   if (key.quantity == "list of time") return "times" + such;
   if (key.quantity == "list of pressure") return "pressures" + such;
-  if (key.quantity.starts_with("table of ")) {
-    const std::string kind = key.quantity.substr(9);
-    return fmt::format("a {0}, a list of [time, {0}], or a CSV file{1}", kind, such);
+  if (const auto table = table_kind(key.quantity)) {
+    const std::string one = table->by_time() ? fmt::format("a {}, ", table->of->name) : "";
+    return fmt::format("{}a list of [{}, {}], or a CSV file{}", one, table->by->name, table->of->name, such);
   }
   if (key.quantity == "file") return "the name of a file" + such;
   return "a text" + such;
@@ -472,6 +480,7 @@ std::string expected(const Key& key) {
 std::string range_of(const Key& key) {
   std::string_view kind = key.quantity;
   if (const auto of = kind.find(" of "); of != std::string_view::npos) kind.remove_prefix(of + 4);
+  kind = kind.substr(0, kind.find(" by "));
   const Quantity* quantity = find_quantity(kind);
   const auto show = [&](double value) {
     return quantity ? show_measure(value, *quantity) : fmt::format("{:.16g}", value);

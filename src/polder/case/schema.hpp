@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "polder/material/law.hpp"
+#include "polder/math/units.hpp"
 
 /// What reading a case file needs inside this room; other rooms see the model, the reader and its diagnostics.
 namespace polder::case_file {
@@ -24,7 +25,8 @@ struct Section {
 ///   "choice:a|b|c",
 ///   "list of length", "list of time", "list of pressure" (one or several),
 ///   "polygon" (≥ 3 points), "polyline" (≥ 2), "box" (two corners), "points" (≥ 1),
-///   "table of length" (one value, a list of [time, value], or the name of a CSV file with those two columns).
+///   "table of length" (one value, a list of [time, value], or the name of a CSV file with those two columns),
+///   "table of ratio by pressure" (likewise with pairs [pressure, ratio], never one value).
 struct Key {
   std::string section;
   std::string name;
@@ -49,6 +51,14 @@ Key law_key(const Parameter& parameter);
 
 /// The words of a "choice:…" quantity; empty for any other.
 std::vector<std::string> choices_of(std::string_view quantity);
+
+/// What a "table of …" gives, and by what: time where it does not say.
+struct TableKind {
+  const Quantity* of;
+  const Quantity* by;
+  bool by_time() const { return by->name == "time"; }
+};
+std::optional<TableKind> table_kind(std::string_view quantity);
 
 /// How a value of this quantity is written, for messages and the documentation: `a length such as "0.05 m"`.
 std::string expected(const Key& key);

@@ -25,10 +25,10 @@ std::vector<Key> seepage_keys() {
       // ---- retention
       {"retention", "material", "", "name", false, "", any, infinity, R"("sand")",
        "Name of the `[[material]]` that it belongs to. Needed."},
-      {"retention", "model", "", "choice:van-genuchten|linear|gardner", false, "van-genuchten", any, infinity,
+      {"retention", "model", "", "choice:van-genuchten|linear|gardner|table", false, "van-genuchten", any, infinity,
        R"("van-genuchten")",
-       "Degree of saturation S under a suction s: van Genuchten (`g_a`, `g_n`), S = 1 - a_v s (`slope`), or "
-       "exponential (`rate`)."},
+       "Degree of saturation S under a suction s: van Genuchten (`g_a`, `g_n`), S = 1 - a_v s (`slope`), "
+       "exponential (`rate`), or as measured (`saturation`)."},
       {"retention", "g_a", "g_a", "inverse length", false, "1 1/m", 1e-6, 1e6, R"("2.5 1/m")",
        "van Genuchten: inverse of the suction head at which air enters."},
       {"retention", "g_n", "g_n", "ratio", false, "2", 1.0001, 50, "2",
@@ -40,9 +40,18 @@ std::vector<Key> seepage_keys() {
        "Linear: loss of saturation per unit of suction."},
       {"retention", "rate", "α", "inverse length", false, "1 1/m", 1e-6, 1e6, R"("0.1 1/cm")",
        "Gardner: saturation and conductivity fall as exp(-α s/γ_w)."},
-      {"retention", "conductivity", "", "choice:curve|constant|hillel", false, "curve", any, infinity, R"("curve")",
+      {"retention", "conductivity", "", "choice:curve|constant|hillel|gardner|table", false, "curve", any, infinity,
+       R"("curve")",
        "Relative conductivity: `curve`, that which belongs to the model (Mualem's for van Genuchten, exponential for "
-       "Gardner, S^`hillel_exponent` for linear), `constant`, or `hillel`."},
+       "Gardner, S^`hillel_exponent` for linear and for a table), `constant`, `hillel`, `gardner`, or `table`."},
+      {"retention", "saturation", "S", "table of ratio by pressure", false, "", 0, 1,
+       R"([["0 kPa", 1], ["5 kPa", 0.7], ["50 kPa", 0.2]])",
+       "Table: degree of saturation by suction, linear in between: a list [[suction, S], …] that falls, or a CSV file "
+       "(Pa, S)."},
+      {"retention", "relative_conductivity", "k_r", "table of ratio by ratio", false, "", 0, 1,
+       "[[0.2, 0.001], [0.7, 0.2], [1, 1]]",
+       "Table: conductivity over that of saturated soil by degree of saturation, linear in between: a list [[S, k_r], "
+       "…], or a CSV file."},
       {"retention", "hillel_exponent", "r", "ratio", false, "3", 0, 50, "3", "Hillel: conductivity as S^r."},
       // ---- seepage_boundary
       {"seepage_boundary", "name", "", "name", false, "", any, infinity, R"("river")", "Its name in tables."},

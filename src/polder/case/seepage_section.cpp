@@ -7,6 +7,22 @@
 namespace polder::case_file {
 namespace {
 
+/// Saturation by suction as a table must be: from no suction on, never rising.
+Table falling(const Fields& f, const Table& table, Diagnostics& diagnostics) {
+  const auto fail = [&](std::string message, const char* remedy) {
+    report(diagnostics, f.place_of("saturation"), f.path_of("saturation"), std::move(message), remedy);
+  };
+  if (!table.x.empty() && table.x.front() != 0)
+    fail(fmt::format("begins at a suction of {:g} Pa", table.x.front()), "begin with [\"0 kPa\", S without suction]");
+  for (std::size_t i = 1; i < table.y.size(); ++i)
+    if (table.y[i] > table.y[i - 1]) {
+      fail(fmt::format("rises from {:g} to {:g} with the suction", table.y[i - 1], table.y[i]),
+           "soil holds less water under more suction");
+      break;
+    }
+  return table;
+}
+
 MaterialRetention read_retention(const Fields& f, const Model& model, Diagnostics& diagnostics) {
   MaterialRetention out;
   out.material = material_named(f, model, diagnostics);
@@ -24,6 +40,11 @@ MaterialRetention read_retention(const Fields& f, const Model& model, Diagnostic
     const double rate = f.number("rate", 1) / unit_weight;
     out.retention = GardnerRetention{rate, residual, maximum};
     out.curve = GardnerConductivity{rate};
+  } else if (retention == "table") {
+    need(f, "saturation", diagnostics);
+    if (const Entry* table = f.find("saturation"))
+      out.retention = TableRetention{falling(f, table->table, diagnostics)};
+    out.curve = hillel;
   } else {
     const VanGenuchtenRetention r =
         van_genuchten(f.number("g_a", 1), f.number("g_n", 2), residual, maximum, unit_weight);
@@ -32,6 +53,11 @@ MaterialRetention read_retention(const Fields& f, const Model& model, Diagnostic
   }
   if (curve == "constant") out.curve = ConstantConductivity{};
   if (curve == "hillel") out.curve = hillel;
+  if (curve == "gardner") out.curve = GardnerConductivity{f.number("rate", 1) / unit_weight};
+  if (curve == "table") {
+    need(f, "relative_conductivity", diagnostics);
+    if (const Entry* table = f.find("relative_conductivity")) out.curve = TableConductivity{table->table};
+  }
   return out;
 }
 
