@@ -13,7 +13,6 @@ namespace {
 
 constexpr double soil_present = 1e-6;      // share of a face full of grains below which it has no soil
 constexpr double force_floor = 1e-4;       // least share of grains that an internal force is divided by
-constexpr double water_present = 1e-9;     // share of a face full of water below which it has no water of its own
 constexpr double least_saturation = 0.25;  // of a face with one wet side
 
 struct FaceState {
@@ -139,13 +138,6 @@ double impedance_along(const Setup<Space>& setup, const GridFields<Space>& grid,
   return sum;
 }
 
-/// 1 over what a face of component c stands for along an axis (its own: `along`) times the way to the next one.
-double inverse_square(const GridAxis& axis, bool along, int place, int way) {
-  if (!axis.graded()) return 1 / (axis.least() * axis.least());
-  const double own = along ? axis.gap(place) : axis.width(place);
-  return 1 / (own * (along ? axis.width(way < 0 ? place - 1 : place) : axis.gap(way < 0 ? place : place + 1)));
-}
-
 /// A face on an absorbing side: grains and water move as one, under what is more than at rest, against the dashpot.
 /// Mw is the density of the water per volume; `outside` the cell beyond.
 template <class Space>
@@ -161,48 +153,6 @@ FaceState far_state(const GridFields<Space>& grid, int c, std::ptrdiff_t f, std:
 }
 
 }  // namespace
-
-template <class Space>
-void add_viscous_stress(const Setup<Space>& setup, double dt, GridFields<Space>& grid, Team& team) {
-  const auto& lattice = setup.lattice;
-  const double nu = setup.water.viscosity / setup.water.density;
-  const double least = water_present * setup.water.density * lattice.cell_volume();
-  for (int c = 0; c < Space::axes; ++c) {
-    Array& velocity = grid.water_before[c];
-    const double* mass = grid.water_mass[c].data();
-    double* momentum = grid.water_velocity[c].data();
-    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
-      for (int i = 0; i < count; ++i) {
-        const std::ptrdiff_t f = first + i;
-        const int place = c == 0 ? at[0] + i : at[c];
-        velocity[f] = mass[f] > least ? momentum[f] / mass[f] : 0;
-        for (int end = 0; end < 2; ++end)
-          if (!setup.water_box.periodic(c) && place == (end == 0 ? 0 : lattice.cells[c]) && !setup.open_side(c, end))
-            velocity[f] = setup.wall_velocity(c, end);
-      }
-    });
-    reflect(velocity, c, true, setup.water_box, lattice, true);
-    Array inside = grid.water_mass[c];  // where there is water, beyond the walls as well
-    reflect(inside, c, false, setup.water_box, lattice);
-    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
-      for (std::ptrdiff_t f = first; f < first + count; ++f) {
-        if (!(inside[f] > least)) continue;
-        double sum = 0;
-        for (int a = 0; a < Space::axes; ++a) {
-          const std::ptrdiff_t s = lattice.stride[a];
-          const int place = a == 0 ? at[0] + static_cast<int>(f - first) : at[a];
-          for (const int way : {-1, 1})
-            if (inside[f + way * s] > least)
-              sum += inverse_square(lattice.axis[a], a == c, place, way) * (velocity[f + way * s] - velocity[f]);
-        }
-        momentum[f] += mass[f] * nu * dt * sum;
-      }
-    });
-    if (setup.water_box.periodic(c))
-      detail::over_joined(c, setup.water_box, lattice,
-                          [&](std::ptrdiff_t low, std::ptrdiff_t high) { momentum[high] = momentum[low]; });
-  }
-}
 
 template <class Space>
 void predict_faces(const Setup<Space>& setup, const StepControl& control, double dt, GridFields<Space>& grid,
@@ -403,70 +353,6 @@ void damp_locally(const Setup<Space>& setup, double factor, GridFields<Space>& g
     });
 }
 
-namespace {
-
-/// A face at a body's surface and the velocity that it has after meeting the body.
-struct Met {
-  int axis;
-  std::ptrdiff_t face;
-  double velocity;
-  std::size_t section;
-};
-
-/// Of a velocity field: the faces in bodies that would go further in. `rubs`: friction takes of the motion along the
-/// surface what the part that was stopped allows.
-template <class Space>
-std::vector<Met> met_faces(const Setup<Space>& setup, const FaceField<Space>& velocity, bool rubs,
-                           const std::function<bool(int, std::ptrdiff_t)>& only) {
-  constexpr int up = Space::up;
-  const auto& lattice = setup.lattice;
-  std::vector<Met> met;
-  for (const int c : {0, up}) {
-    const int other = c == 0 ? up : 0;
-    const std::ptrdiff_t s = lattice.stride[c], t = lattice.stride[other];
-    for (int k = 0; k < (Space::axes == 3 ? lattice.cells[1] : 1); ++k)
-      for (int level = 0; level < lattice.cells[up]; ++level)
-        for (int i = 0; i < lattice.cells[0]; ++i) {
-          const std::ptrdiff_t f = Space::axes == 3 ? lattice.index(i, k, level) : lattice.index(i, level);
-          if (!setup.bodies.inside(c, f) || (only && !only(c, f))) continue;
-          const BodyContact at =
-              setup.bodies.contact({c == 0 ? lattice.axis[0].edge(i) : lattice.axis[0].centre(i),
-                                    c == 0 ? lattice.axis[up].centre(level) : lattice.axis[up].edge(level)});
-          double v[2];  // x, height; relative to the body
-          v[c != 0] = velocity[c][f] - at.velocity[c != 0];
-          v[c == 0] = -at.velocity[c == 0];
-          for (const std::ptrdiff_t n : {f - s, f, f - s + t, f + t}) v[c == 0] += 0.25 * velocity[other][n];
-          const double into = v[0] * at.normal[0] + v[1] * at.normal[1];
-          if (into >= 0) continue;
-          const double along[2] = {v[0] - into * at.normal[0], v[1] - into * at.normal[1]};
-          const double speed = std::hypot(along[0], along[1]);
-          const double kept = !rubs ? 1 : speed > 0 ? std::max(0.0, 1 + at.friction * into / speed) : 0;
-          met.push_back({c, f, kept * along[c != 0] + at.velocity[c != 0], at.section});
-        }
-  }
-  return met;
-}
-
-}  // namespace
-
-template <class Space>
-void meet_bodies(const Setup<Space>& setup, GridFields<Space>& grid,
-                 const std::function<bool(int, std::ptrdiff_t)>& only) {
-  for (const Met& m : met_faces(setup, grid.soil_velocity, true, only)) {
-    double& v = grid.soil_velocity[m.axis][m.face];
-    if (m.section < grid.body_impulse.size())
-      grid.body_impulse[m.section][m.axis != 0] += grid.soil_mass[m.axis][m.face] * (v - m.velocity);
-    v = m.velocity;
-    grid.soil_response[m.axis][m.face] = 0;
-  }
-}
-
-template <class Space>
-void water_meets_bodies(const Setup<Space>& setup, GridFields<Space>& grid) {
-  for (const Met& m : met_faces(setup, grid.water_velocity, false, {}))
-    grid.water_velocity[m.axis][m.face] = m.velocity;
-}
-
 template <class Space>
 void update_discharge(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) {
   const auto& lattice = setup.lattice;
@@ -497,17 +383,10 @@ void update_discharge(const Setup<Space>& setup, GridFields<Space>& grid, Team& 
   }
 }
 
-template void add_viscous_stress(const Setup<PlaneStrain>&, double, GridFields<PlaneStrain>&, Team&);
-template void add_viscous_stress(const Setup<Solid>&, double, GridFields<Solid>&, Team&);
 template void predict_faces(const Setup<PlaneStrain>&, const StepControl&, double, GridFields<PlaneStrain>&, Team&);
 template void predict_faces(const Setup<Solid>&, const StepControl&, double, GridFields<Solid>&, Team&);
 template void damp_locally(const Setup<PlaneStrain>&, double, GridFields<PlaneStrain>&, Team&);
 template void damp_locally(const Setup<Solid>&, double, GridFields<Solid>&, Team&);
-template void meet_bodies(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&,
-                          const std::function<bool(int, std::ptrdiff_t)>&);
-template void meet_bodies(const Setup<Solid>&, GridFields<Solid>&, const std::function<bool(int, std::ptrdiff_t)>&);
-template void water_meets_bodies(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&);
-template void water_meets_bodies(const Setup<Solid>&, GridFields<Solid>&);
 template void update_discharge(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&, Team&);
 template void update_discharge(const Setup<Solid>&, GridFields<Solid>&, Team&);
 

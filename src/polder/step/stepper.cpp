@@ -6,6 +6,7 @@
 
 #include "polder/math/huge_pages.hpp"
 #include "polder/points/resample.hpp"
+#include "polder/step/body_contact.hpp"
 #include "polder/step/cavities.hpp"
 #include "polder/step/face_predictor.hpp"
 #include "polder/step/far_field.hpp"
@@ -15,6 +16,7 @@
 #include "polder/step/rain.hpp"
 #include "polder/step/soil_exchange.hpp"
 #include "polder/step/unresolved.hpp"
+#include "polder/step/viscous_stress.hpp"
 #include "polder/step/wall_friction.hpp"
 
 namespace polder {

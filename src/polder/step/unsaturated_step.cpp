@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "polder/case/geometry.hpp"
+#include "polder/step/body_contact.hpp"
 #include "polder/step/chunk.hpp"
 #include "polder/step/face_loop.hpp"
 #include "polder/step/face_predictor.hpp"
