@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The engine's tests as the second compiler builds them, its warnings being errors, with AddressSanitizer and
 # UndefinedBehaviorSanitizer: memory that is not ours, overflows, bad shifts. asan-tools.sh has all others.
-# Minutes: 9
+# Minutes: 11
 # Packages: all
 set -u
 rooms=(math material case grid points stage result)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # What asan-engine.sh leaves: the program, the finite elements, the slip surfaces, the reports and studies with
 # AddressSanitizer and UndefinedBehaviorSanitizer.
-# Minutes: 11
+# Minutes: 14
 # Packages: all
 set -u
 engine=$(sed -n 's/^rooms=(\(.*\))$/\1/p' tests/all.d/asan-engine.sh)

@@ -2,7 +2,7 @@
 # Each reader on bytes that a fuzzer makes of the seeds in tests/fuzz/seeds and of the shipped cases, with
 # AddressSanitizer and UndefinedBehaviorSanitizer. Argument: how many thousandths of the usual number of inputs (1000).
 # What it finds is kept in build/asan/found; a small input of its kind belongs into a unit test.
-# Minutes: 4
+# Minutes: 3
 # Packages: all
 set -u
 cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit 2

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The tests that take long (tests/<room>/*_long_test.cpp), in the release build that ./test left.
-# Minutes: 5
+# Minutes: 4
 set -u
 if ctest --test-dir build/release -N -L long | grep -q 'Total Tests: 0$'; then
   echo "No test is labelled long."

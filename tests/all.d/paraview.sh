@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # ParaView's own reader on snapshots from formulas and on every step of the showcase; the first picture that python/ draws.
-# Minutes: 3
+# Minutes: 1
 # Packages: report-test python
 set -eu
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Static analysis (.clang-tidy says which checks) of what the engine is compiled from; tidy-tools.sh has the rest.
-# Minutes: 7
+# Minutes: 6
 # Packages: all
 set -u
 rooms=(math material case grid points boundary step stage result)
