@@ -41,6 +41,13 @@ std::array<int, 3> cell_of(const Lattice<Space>& lattice, const std::array<doubl
   return cell;
 }
 
+/// The same as its index in the lattice.
+template <class Space>
+std::ptrdiff_t cell_at(const Lattice<Space>& lattice, const std::array<double, 3>& x) {
+  const auto cell = cell_of(lattice, x);
+  return lattice.index(cell[0], cell[1], cell[2]);
+}
+
 /// Tiles along each axis.
 template <class Space>
 std::array<int, 3> tiles_of(const Lattice<Space>& lattice) {

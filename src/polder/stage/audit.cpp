@@ -22,8 +22,6 @@ double sum_by_id(const AlignedVector<std::uint64_t>& id, const Array& value) {
   return sum;
 }
 
-namespace {}  // namespace
-
 template <class Space>
 double stored_water(const Stepper<Space>& state) {
   const double free = sum_by_id(state.water.id, state.water.volume);

@@ -37,12 +37,6 @@ bool in_region(const Region& region, const std::array<double, 3>& x) {
   return contains(region, x[0], Space::axes == 3 ? x[1] : 0, x[Space::up]);
 }
 
-template <class Space>
-std::ptrdiff_t cell_at(const Lattice<Space>& lattice, const std::array<double, 3>& x) {
-  const auto cell = cell_of(lattice, x);
-  return lattice.index(cell[0], cell[1], cell[2]);
-}
-
 /// Soil points that go, by site, so that the water between their grains can be told from free water above them.
 template <class Space>
 class Pores {

@@ -72,10 +72,8 @@ template <class Space>
 std::vector<int> ground_conditions(const Setup<Space>& setup, const SoilPoints<Space>& soil) {
   const auto& lattice = setup.lattice;
   Array bulk = lattice.make_array();
-  for (std::size_t p = 0; p < soil.size(); ++p) {
-    const auto cell = cell_of(lattice, position_of(soil, p));
-    bulk[lattice.index(cell[0], cell[1], cell[2])] += bulk_volume(setup, soil, p);
-  }
+  for (std::size_t p = 0; p < soil.size(); ++p)
+    bulk[cell_at(lattice, position_of(soil, p))] += bulk_volume(setup, soil, p);
   std::vector<int> ground(static_cast<std::size_t>(lattice.cells[0] * (Space::axes == 3 ? lattice.cells[1] : 1)), -1);
   over_columns(lattice, [&](std::size_t column, double x, std::ptrdiff_t lowest) {
     const Surface top = surface_of(setup, bulk, lowest);

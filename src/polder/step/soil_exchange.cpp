@@ -17,12 +17,6 @@ constexpr double parcel = 0.125;      // × a nominal point: what changes hands 
 constexpr double least = 1e-9;        // × a nominal point: what is left of one that is taken whole
 constexpr double mostly_soil = 0.75;  // of a cell's pores, carried by soil
 
-template <class Space>
-std::ptrdiff_t cell_at(const Lattice<Space>& lattice, const std::array<double, 3>& x) {
-  const auto place = cell_of(lattice, x);
-  return lattice.index(place[0], place[1], place[2]);
-}
-
 /// The soil that carries water, as cells: which of them have neighbours without any, and what flows between them.
 template <class Space>
 class Saturated {

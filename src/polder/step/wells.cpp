@@ -135,8 +135,7 @@ std::vector<Exchange> exchange_with_wells(const Setup<Space>& setup, double dt, 
   std::map<std::ptrdiff_t, std::vector<std::size_t>> inside;
   for (const WellFlow& flow : flows) inside.try_emplace(flow.cell);
   for (std::size_t p = 0; p < water.size(); ++p) {
-    const auto cell = cell_of(lattice, position_of(water, p));
-    const auto found = inside.find(lattice.index(cell[0], cell[1], cell[2]));
+    const auto found = inside.find(cell_at(lattice, position_of(water, p)));
     if (found != inside.end()) found->second.push_back(p);
   }
   std::vector<std::uint8_t> leaves(water.size(), 0);
