@@ -40,15 +40,18 @@ void check_unsaturated_limits(const Sections& sections, const Model& model, Diag
            fmt::format("{} not available in the unsaturated formulation yet", what), std::string(remedy));
   };
   if (model.numerics.transfer != Transfer::apic) refuse(sections.numerics, "transfer", "is", "leave it out");
-  if (!model.rains.empty())
-    refuse(sections.rains.front(), "rate", "[[rain]] is", "give condition = \"rain\" by a [[seepage_boundary]]");
-  if (!model.free_water.empty())
-    refuse(sections.free_water.front(), "box", "free water is",
-           "give the river's level as a head by a [[seepage_boundary]]");
-  for (std::size_t i = 0; i < model.boundaries.size(); ++i)
-    if (model.boundaries[i].water != WaterCondition::closed)
-      refuse(sections.boundaries[i], "water", "water conditions of a [[boundary]] are",
-             "give them by a [[seepage_boundary]]");
+  if (model.space == SpaceKind::solid) {
+    if (!model.rains.empty())
+      refuse(sections.rains.front(), "rate", "[[rain]] in 3d is",
+             "give condition = \"rain\" by a [[seepage_boundary]]");
+    if (!model.free_water.empty())
+      refuse(sections.free_water.front(), "box", "free water in 3d is",
+             "give the river's level as a head by a [[seepage_boundary]]");
+    for (std::size_t i = 0; i < model.boundaries.size(); ++i)
+      if (model.boundaries[i].water != WaterCondition::closed)
+        refuse(sections.boundaries[i], "water", "water conditions of a [[boundary]] in 3d are",
+               "give them by a [[seepage_boundary]]");
+  }
   for (std::size_t i = 0; i < model.boundaries.size(); ++i)
     if (model.boundaries[i].soil == SoilCondition::absorbing)
       refuse(sections.boundaries[i], "soil", "absorbing sides are", "set soil = \"roller\"");

@@ -26,8 +26,9 @@ template <class Space>
 double stored_water(const Stepper<Space>& state) {
   const double free = sum_by_id(state.water.id, state.water.volume);
   if (!state.setup.single_point) return free;
-  return std::accumulate(state.grid.spare.begin(), state.grid.spare.end(),
-                         free + sum_by_id(state.soil.id, state.soil.water));
+  const double all = free + sum_by_id(state.soil.id, state.soil.water);
+  if (state.open_water) return all + state.open_water->booked();
+  return std::accumulate(state.grid.spare.begin(), state.grid.spare.end(), all);
 }
 template double stored_water(const Stepper<PlaneStrain>&);
 template double stored_water(const Stepper<Solid>&);

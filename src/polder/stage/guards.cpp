@@ -128,6 +128,7 @@ void Guards<Space>::check_balances(const Stepper<Space>& state, const Audit<Spac
   double stored = 0, mass = 0;
   for (const double v : state.water.volume) stored += v;
   for (const double v : state.soil.water) stored += v;
+  if (state.open_water) stored += state.open_water->booked();
   for (const double v : state.grid.spare) stored += v;
   for (const double m : state.soil.mass) mass += m;
   const double water = audit.water_error_of(stored), solid = audit.solid_error_of(mass);

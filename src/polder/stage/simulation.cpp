@@ -84,6 +84,7 @@ void Simulation<Space>::raise_walls() {
   if (now == standing_) return;
   standing_ = std::move(now);
   put_walls(model_, standing_, time_, stepper_.setup);
+  stepper_.walls_changed();
 }
 
 /// s until the next gate vanishes: a step ends there.
@@ -137,7 +138,10 @@ StepReport Simulation<Space>::advance() {
     throw RunFailure(fmt::format("the time step collapsed to {:.3g} s at t = {:.6g} s (fastest point: {:.3g} cells/s)",
                                  dt, time_, stepper_.motion.speed));
   control.time = time_ + dt;
-  if (bodies_move_) stepper_.setup.bodies = make_bodies(model_, stepper_.setup.lattice, standing_, time_, dt);
+  if (bodies_move_) {
+    stepper_.setup.bodies = make_bodies(model_, stepper_.setup.lattice, standing_, time_, dt);
+    stepper_.walls_changed();
+  }
   const StepReport report = stepper_.advance(control, dt);
   time_in_stage_ += dt;
   time_ += dt;
@@ -173,6 +177,8 @@ std::string Simulation<Space>::flaw() {
     return "its stages are not those of the case";
   if (!(stepper_.drift_soil >= 0) || !(stepper_.drift_water >= 0) || !(stepper_.motion.speed >= 0))
     return "the drift or the speed of its points is not a number";
+  if (stepper_.open_water && !stepper_.open_water->sound())
+    return "what its free water owes the ground is not a number";
   return flaw_of(stepper_, !stepper_.unsorted());
 }
 
@@ -214,6 +220,7 @@ void Simulation<Space>::begin_stage() {
 
 template <class Space>
 double Simulation<Space>::pressure_at(const std::array<double, 3>& x) const {
+  if (stepper_.open_water && stepper_.open_water->covers(x)) return stepper_.open_water->pressure_at(x);
   if (stepper_.unsaturated) return stepper_.unsaturated->pressure_at(stepper_.setup, stepper_.grid, x);
   const auto cell = cell_of(stepper_.setup.lattice, x);
   return stepper_.grid.pressure[stepper_.setup.lattice.index(cell[0], cell[1], cell[2])];

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "polder/step/point_cells.hpp"
 #include "polder/step/soil_volume.hpp"
+#include "polder/step/unsaturated_transfer.hpp"
 
 namespace polder {
 
@@ -69,6 +71,27 @@ double head_of(const SeepageCondition& condition, double time, double share) {
 }  // namespace
 
 template <class Space>
+Array ground_heights(const Setup<Space>& setup, const Array& bulk) {
+  const auto& lattice = setup.lattice;
+  Array heights(static_cast<std::size_t>(lattice.cells[0] * (Space::axes == 3 ? lattice.cells[1] : 1)), -1.0);
+  over_columns(lattice, [&](std::size_t column, double, std::ptrdiff_t lowest) {
+    const Surface top = surface_of(setup, bulk, lowest);
+    if (top.level >= 0) heights[column] = top.height;
+  });
+  return heights;
+}
+
+template <class Space>
+Array ground_heights(const Setup<Space>& setup, const SoilPoints<Space>& soil) {
+  Array bulk = setup.lattice.make_array();
+  for (std::size_t p = 0; p < soil.size(); ++p)
+    PointCells<Space>(setup, position_of(soil, p), box_half(setup, soil, p))
+        .over_cells(setup.lattice,
+                    [&](std::ptrdiff_t cell, double share) { bulk[cell] += share * bulk_volume(setup, soil, p); });
+  return ground_heights(setup, bulk);
+}
+
+template <class Space>
 std::vector<int> ground_conditions(const Setup<Space>& setup, const SoilPoints<Space>& soil) {
   const auto& lattice = setup.lattice;
   Array bulk = lattice.make_array();
@@ -90,8 +113,8 @@ std::vector<int> ground_conditions(const Setup<Space>& setup, const SoilPoints<S
 }
 
 template <class Space>
-std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<int>& ground, double time, double gravity,
-                                 const PoreFields<Space>& pores) {
+std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<int>& ground, double time, double dt,
+                                 double gravity, const PoreFields<Space>& pores, const GroundCover* cover) {
   using Kind = SeepageCondition::Kind;
   constexpr double unbounded = -std::numeric_limits<double>::infinity();
   const auto& lattice = setup.lattice;
@@ -115,6 +138,13 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
       if (kind == Kind::head) {
         const double depth = head_of(*given, time, at.share) - top.height;
         if (depth > 0) exit.level += weight * depth, exit.least = unbounded;
+      }
+      if (cover && kind == Kind::seepage) {
+        exit.column = static_cast<int>(column);
+        exit.level += cover->pressure[column];
+        exit.least = -cover->available[column] / dt;
+        // what is under water conducts as saturated soil does, and so half of the way to the cell's centre
+        if (cover->pressure[column] > 0) exit.conductance *= 0.5 * (1 + 1 / std::max(pores.relative[upper], 1e-12));
       }
       exits.push_back(exit);
     }
@@ -153,16 +183,18 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
 
 template <class Space>
 bool set_standing_water(const Setup<Space>& setup, const std::vector<int>& ground, double time, double gravity,
-                        PoreFields<Space>& pores) {
+                        PoreFields<Space>& pores, const GroundCover* cover) {
   const auto& lattice = setup.lattice;
   const double weight = setup.water.density * gravity, h = lattice.spacing[Space::up];
   std::fill(pores.over_ground.begin(), pores.over_ground.end(), 0.0);
   bool any = false;
   over_columns(lattice, [&](std::size_t column, double x, std::ptrdiff_t lowest) {
-    if (ground[column] < 0 || setup.pore_water[ground[column]].kind != SeepageCondition::Kind::head) return;
-    const SeepageCondition& given = setup.pore_water[ground[column]];
+    const SeepageCondition* given = ground[column] >= 0 ? &setup.pore_water[ground[column]] : nullptr;
+    const bool head = given && given->kind == SeepageCondition::Kind::head;
+    if (!head && (!cover || cover->pressure[column] <= 0)) return;
     const Surface top = surface_of(setup, pores.bulk, lowest);
-    const double level = head_of(given, time, on_line(given.line, x).share);
+    const double level = head ? head_of(*given, time, on_line(given->line, x).share)
+                              : top.height + cover->pressure[column] / std::max(weight, 1e-300);
     if (top.level < 0 || level <= top.height) return;
     any = true;
     for (int k = std::max(0, top.level - uneven_depth); k < lattice.cells[Space::up] && (k + 0.5) * h < level; ++k)
@@ -171,14 +203,16 @@ bool set_standing_water(const Setup<Space>& setup, const std::vector<int>& groun
   return any;
 }
 
-template std::vector<int> ground_conditions(const Setup<PlaneStrain>&, const SoilPoints<PlaneStrain>&);
-template std::vector<int> ground_conditions(const Setup<Solid>&, const SoilPoints<Solid>&);
-template std::vector<PoreExit> pore_exits(const Setup<PlaneStrain>&, const std::vector<int>&, double, double,
-                                          const PoreFields<PlaneStrain>&);
-template std::vector<PoreExit> pore_exits(const Setup<Solid>&, const std::vector<int>&, double, double,
-                                          const PoreFields<Solid>&);
-template bool set_standing_water(const Setup<PlaneStrain>&, const std::vector<int>&, double, double,
-                                 PoreFields<PlaneStrain>&);
-template bool set_standing_water(const Setup<Solid>&, const std::vector<int>&, double, double, PoreFields<Solid>&);
+#define POLDER_GROUND_WATER(Space)                                                                                   \
+  template Array ground_heights(const Setup<Space>&, const Array&);                                                  \
+  template Array ground_heights(const Setup<Space>&, const SoilPoints<Space>&);                                      \
+  template std::vector<int> ground_conditions(const Setup<Space>&, const SoilPoints<Space>&);                        \
+  template std::vector<PoreExit> pore_exits(const Setup<Space>&, const std::vector<int>&, double, double, double,    \
+                                            const PoreFields<Space>&, const GroundCover*);                           \
+  template bool set_standing_water(const Setup<Space>&, const std::vector<int>&, double, double, PoreFields<Space>&, \
+                                   const GroundCover*);
+POLDER_GROUND_WATER(PlaneStrain)
+POLDER_GROUND_WATER(Solid)
+#undef POLDER_GROUND_WATER
 
 }  // namespace polder

@@ -16,6 +16,7 @@ struct PoreExit {
   double level;        ///< Pa, pressure of the cell at which nothing flows
   double least;        ///< m³/s: 0 at a seepage face, −rain; −∞ where a head is given
   double out = 0;      ///< m³/s, at the end of the step
+  int column = -1;     ///< of cells, whose free water takes or gives it; −1: the outside does
 
   /// What takes m³/s from a cell, whatever its pressure.
   static PoreExit given(std::ptrdiff_t cell, double rate) { return {cell, 1, 1e300, rate}; }

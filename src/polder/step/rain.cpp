@@ -8,18 +8,17 @@
 
 namespace polder {
 
-namespace {
-
-constexpr double parcel = 0.125;  // × a nominal point
-constexpr double a_little = 0.1;  // of a cell, of soil or water: rain falls on it and not through it
-constexpr double least = 1e-3;    // × a nominal point: what is smaller evaporates whole
-
-/// m/s on a column whose middle is at x, mean over its width.
 double rate_on(const Rain& rain, double time, double x, double width) {
   if (!rain.span) return rain.rate(time);
   const double covered = std::min(x + 0.5 * width, (*rain.span)[1]) - std::max(x - 0.5 * width, (*rain.span)[0]);
   return rain.rate(time) * std::max(0.0, covered) / width;
 }
+
+namespace {
+
+constexpr double parcel = 0.125;  // × a nominal point
+constexpr double a_little = 0.1;  // of a cell, of soil or water: rain falls on it and not through it
+constexpr double least = 1e-3;    // × a nominal point: what is smaller evaporates whole
 
 /// Columns of cells from which water is due, by their lowest cell, and the water points in them.
 using Dues = std::map<std::ptrdiff_t, std::vector<std::size_t>>;

@@ -12,6 +12,9 @@
 
 namespace polder {
 
+/// m/s of this rain on a column whose middle is at x, mean over its width, m.
+double rate_on(const Rain& rain, double time, double x, double width);
+
 /// Returns what has become points, and what points have lost; if there is anything, they must be sorted again.
 template <class Space>
 std::vector<Exchange> let_it_rain(const Setup<Space>& setup, double time, double dt, GridFields<Space>& grid,

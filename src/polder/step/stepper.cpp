@@ -78,22 +78,26 @@ Stepper<Space>::Stepper(Setup<Space> setup_, SoilPoints<Space> soil_, WaterPoint
     for (auto& z : grid.far_impedance) z = setup.lattice.make_array();
   }
   if (setup.unsaturated) unsaturated = std::make_unique<UnsaturatedStep<Space>>(setup, soil, grid);
+  if (OpenWater<Space>::wanted(setup, water))
+    open_water = std::make_unique<OpenWater<Space>>(setup, soil, water.size(), threads);
   if (soil.size() + water.size() > many_points) use_huge_pages();
 }
 
 template <class Space>
 double Stepper<Space>::natural_step() const {
   if (unsaturated) {
-    const double dt = std::min(setup.numerics.max_step, unsaturated->natural_step(setup));
+    double dt = std::min(setup.numerics.max_step, unsaturated->natural_step(setup));
+    if (open_water) dt = std::min(dt, open_water->natural_step());
     return motion.speed > 0 ? std::min(dt, point_cfl / motion.speed) : dt;
   }
   double dt = std::min(setup.numerics.max_step, soil.size() > 0 ? setup.soil_step : 1e300);
-  if (setup.water.viscous && water.size() > 0) {  // ν∇²v is explicit
+  const bool wet = water.size() > 0 || soil.size() == 0;  // what has no soil is for water, now or later
+  if (setup.water.viscous && wet) {                       // ν∇²v is explicit
     double sum = 0;
     for (int a = 0; a < Space::axes; ++a) sum += 1 / (setup.lattice.spacing[a] * setup.lattice.spacing[a]);
     dt = std::min(dt, viscous_cfl * setup.water.density / (2 * setup.water.viscosity * sum));
   }
-  if (setup.gravity > 0 && (water.size() > 0 || setup.single_point || !setup.rains.empty()))
+  if (setup.gravity > 0 && (wet || setup.single_point || !setup.rains.empty()))
     dt = std::min(dt, surface_cfl * std::sqrt(setup.lattice.smallest_spacing() / setup.gravity));
   if (motion.speed > 0) dt = std::min(dt, point_cfl / motion.speed);
   return dt;
@@ -129,9 +133,10 @@ void Stepper<Space>::prepare() {
 template <class Space>
 void Stepper<Space>::restored() {
   rows_stale_ = true;
+  if (open_water) open_water->restored(water);
   if (unsorted_) return;
   tile_points(setup.lattice, soil.home, soil_tiling_);
-  tile_points(setup.lattice, water.home, water_tiling_);
+  if (!open_water) tile_points(setup.lattice, water.home, water_tiling_);
 }
 
 template <class Space>
@@ -154,12 +159,18 @@ StepReport Stepper<Space>::advance_unsaturated(const StepControl& control, doubl
   StepReport report;
   report.dt = dt;
   Stopwatch watch;
+  exchanged.clear();
+  if (open_water) open_water->advance(setup, control, dt, water, exchanged);
+  watch.lap(times.volume);
   prepare();
   watch.lap(times.sort);
-  exchanged.clear();
-  report.pressure =
-      unsaturated->advance(setup, control, dt, soil_tiling_, soil, grid, solver_, team, motion, exchanged);
+  report.pressure = unsaturated->advance(setup, control, dt, soil_tiling_, soil, grid, solver_, team, motion, exchanged,
+                                         open_water ? &open_water->cover : nullptr);
   drift_soil += motion.drift;
+  if (open_water) {
+    open_water->follow(setup, unsaturated->pores.bulk, exchanged);
+    open_water->show(setup, unsaturated->pores, grid);
+  }
   ++step;
   watch.lap(times.pressure);
   return report;
@@ -217,6 +228,9 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
 
   std::vector<WellFlow> wells;
   if (!setup.wells.empty()) wells = well_flows(setup, control.time, grid);
+  const std::size_t own_wells = wells.size();
+  std::copy_if(sources.begin(), sources.end(), std::back_inserter(wells),
+               [&](const WellFlow& source) { return grid.wet[source.cell] != 0; });
   const bool beside = team.size() > 1 && !far_field && grid.rows.cell_count * (team.size() - 1) < cells_worth_a_team;
   if (beside) {
     solve_beside(dt, wells, report);
@@ -227,6 +241,7 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
     watch.lap(times.pressure);
   }
 
+  wells.resize(own_wells);
   if (control.local_damping > 0) damp_locally(setup, control.local_damping, grid, team);
   extrapolate_water(setup, grid, grid.water_velocity, true, grid.layers, team);
   extrapolate_soil(setup, grid, team);

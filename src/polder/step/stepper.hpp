@@ -8,10 +8,12 @@
 #include "polder/step/body_forces.hpp"
 #include "polder/step/fields.hpp"
 #include "polder/step/grid_to_points.hpp"
+#include "polder/step/open_water.hpp"
 #include "polder/step/projection.hpp"
 #include "polder/step/reservoirs.hpp"
 #include "polder/step/setup.hpp"
 #include "polder/step/unsaturated_step.hpp"
+#include "polder/step/wells.hpp"
 
 namespace polder {
 
@@ -36,12 +38,24 @@ class Stepper {
   StepReport advance(const StepControl& control, double dt);
 
   /// After points were added, removed or moved from outside.
-  void points_changed() { unsorted_ = true; }
-  bool unsorted() const { return unsorted_ != 0; }
+  void points_changed() {
+    unsorted_ = true;
+    if (open_water) open_water->points_changed();
+  }
+  bool unsorted() const { return unsorted_ != 0 || (open_water && open_water->unsorted()); }
+  /// After thin walls or bodies of the setup have become others.
+  void walls_changed() {
+    if (open_water) open_water->walls_changed();
+  }
 
   /// Everything that the next steps depend on, by name: archive(name, value or array). Restoring ends with restored().
   template <class Archive>
   void each_state(Archive&& archive) {
+    each_own_state(archive);
+    if (open_water) open_water->each_state(archive);
+  }
+  template <class Archive>  // but for the free water of unsaturated ground, which has a stepper of its own
+  void each_own_state(Archive&& archive) {
     soil.each_array(
         [&](const char* name, int c, auto& a) { archive("soil/" + std::string(name) + std::to_string(c), a); });
     water.each_array(
@@ -81,6 +95,8 @@ class Stepper {
   std::vector<Exchange> exchanged;                      ///< with reservoirs, in the last step
   std::vector<BodyForce> body_force;                    ///< in the last step, where it is asked for
   std::unique_ptr<UnsaturatedStep<Space>> unsaturated;  ///< of that formulation
+  std::unique_ptr<OpenWater<Space>> open_water;         ///< free water on its ground; likewise
+  std::vector<WellFlow> sources;  ///< what the next step's pressure is to let in where water stands; others pay for it
   StepTimes times;
   Team team;
 

@@ -124,7 +124,7 @@ double UnsaturatedStep<Space>::predict(const Setup<Space>& setup, const StepCont
 template <class Space>
 void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, const std::vector<PoreExit>& exits,
                                           bool held, GridFields<Space>& grid, Team& team,
-                                          std::vector<Exchange>& exchanged) {
+                                          std::vector<Exchange>& exchanged, GroundCover* cover) {
   const auto& lattice = setup.lattice;
   fill_pores(setup, grid, pores, team);
   if (held) {  // pressures are given: the ground takes or gives what they ask for
@@ -148,7 +148,10 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
   });
   for (const PoreExit& exit : exits) {
     left[exit.cell] -= dt * exit.out;
-    exchanged.push_back({exit.cell, -dt * exit.out});
+    if (exit.column >= 0)
+      cover->gained[exit.column] += dt * exit.out;
+    else
+      exchanged.push_back({exit.cell, -dt * exit.out});
   }
   const double thin = thin_cell * lattice.cell_volume();
   Array beyond = lattice.make_array();                                 // the change of Θ
@@ -309,14 +312,14 @@ template <class Space>
 SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const StepControl& control, double dt,
                                             const Tiling<Space>& tiling, SoilPoints<Space>& soil,
                                             GridFields<Space>& grid, PressureSolver<Space>& solver, Team& team,
-                                            Motion& motion, std::vector<Exchange>& exchanged) {
+                                            Motion& motion, std::vector<Exchange>& exchanged, GroundCover* cover) {
   const double gravity = setup.gravity * control.gravity_factor;
   mixture_to_grid(setup, soil, tiling, {setup.numerics.mass_scaling, dt}, gravity, control.time, grid, pores, team);
   prepare_cells(setup, setup.gravity, grid, pores);
   fill_pores(setup, grid, pores, team);
   pores.content_before = pores.content;
   pores.ratio_before = pores.ratio;
-  const bool standing_water = set_standing_water(setup, ground_, control.time, setup.gravity, pores);
+  const bool standing_water = set_standing_water(setup, ground_, control.time, setup.gravity, pores, cover);
   const double unbalanced = predict(setup, control, dt, standing_water, grid, team);
   if (setup.bodies.any()) {
     extrapolate_soil(setup, grid, team);
@@ -326,7 +329,7 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   SolveResult result;
   std::vector<PoreExit> exits;
   if (!control.hold_water) {
-    exits = pore_exits(setup, ground_, control.time, setup.gravity, pores);
+    exits = pore_exits(setup, ground_, control.time, dt, setup.gravity, pores, cover);
     for (const PoreExit& exit : well_exits(setup, control.time, grid, pores)) exits.push_back(exit);
     result = solve_pore_pressure(setup, dt, setup.gravity, exits, grid, pores, solver, team);
   }
@@ -351,7 +354,7 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   motion = strain_points(setup, dt, grid, tiling, soil, pores, team);
   pores_to_grid(setup, soil, tiling, pores, team);
   set_way(setup, dt, grid, team);
-  settle_books(setup, dt, exits, control.hold_water, grid, team, exchanged);
+  settle_books(setup, dt, exits, control.hold_water, grid, team, exchanged, cover);
   move_points(setup, dt, tiling, pores, soil, team);
   show_water(setup, grid, team);
   judge(setup, dt, soil, team);

@@ -54,9 +54,10 @@ class UnsaturatedStep {
   /// Adaptive steps begin anew: a stage begins, loads may jump.
   void begin_stage() { calm.stretch = 1; }
 
+  /// `cover`: free water on the ground, or nullptr. What has seeped out of the ground is added to its `gained`.
   SolveResult advance(const Setup<Space>& setup, const StepControl& control, double dt, const Tiling<Space>& tiling,
                       SoilPoints<Space>& soil, GridFields<Space>& grid, PressureSolver<Space>& solver, Team& team,
-                      Motion& motion, std::vector<Exchange>& exchanged);
+                      Motion& motion, std::vector<Exchange>& exchanged, GroundCover* cover = nullptr);
 
   /// Water pressure, Pa, at a place: heads linear between the cells' centres, upwards with a kink where the soil
   /// changes, so that what flows is the same on both sides; still water where one of them has no soil.
@@ -80,7 +81,7 @@ class UnsaturatedStep {
   double predict(const Setup<Space>& setup, const StepControl& control, double dt, bool standing_water,
                  GridFields<Space>& grid, Team& team);
   void settle_books(const Setup<Space>& setup, double dt, const std::vector<PoreExit>& exits, bool held,
-                    GridFields<Space>& grid, Team& team, std::vector<Exchange>& exchanged);
+                    GridFields<Space>& grid, Team& team, std::vector<Exchange>& exchanged, GroundCover* cover);
   void set_way(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, Team& team);
   void judge(const Setup<Space>& setup, double dt, const SoilPoints<Space>& soil, Team& team);
   void show_water(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) const;
