@@ -11,6 +11,7 @@
 #include "polder/result/ground_stress.hpp"
 #include "polder/result/measures.hpp"
 #include "polder/step/face_loop.hpp"
+#include "polder/step/interior.hpp"
 
 namespace polder {
 
@@ -79,9 +80,8 @@ double section(const Simulation<Space>& run, const Monitor& monitor) {
       }
       if (!grid.reached[axis][f]) continue;
       const double n = grid.porosity[axis][f];
-      flux += run.state().setup.bodies.open_face(axis, f) * n *
-              std::min(1.0, 0.5 * (grid.fill[f] + grid.fill[before])) * grid.water_velocity[axis][f] *
-              lattice.face_area(axis, place);
+      flux += run.state().setup.bodies.open_face(axis, f) * n * flowing_share(run.state().setup, grid, axis, f) *
+              grid.water_velocity[axis][f] * lattice.face_area(axis, place);
       pressure += 0.5 * (grid.pressure[f] + grid.pressure[before]);
       ++wet;
     }

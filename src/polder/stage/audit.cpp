@@ -85,9 +85,9 @@ void Audit<Space>::take(const Stepper<Space>& state, double dt) {
           // between cells the projection balances n v_w; where none is wet, water flies with the mass it has
           const bool balanced = grid.reached[section.axis][f];
           const double full_of_water = state.setup.water.density * lattice.cell_volume(f);
-          const double fill = 0.5 * (grid.fill[f] + grid.fill[f - lattice.stride[section.axis]]);
-          const double area = balanced ? grid.porosity[section.axis][f] * std::min(1.0, fill)
-                                       : grid.water_mass[section.axis][f] / full_of_water;
+          const double area = balanced
+                                  ? grid.porosity[section.axis][f] * flowing_share(state.setup, grid, section.axis, f)
+                                  : grid.water_mass[section.axis][f] / full_of_water;
           flux += area * state.setup.bodies.open_face(section.axis, f) * grid.water_velocity[section.axis][f] *
                   lattice.face_area(section.axis, f);
           if (section.axis == 0) break;

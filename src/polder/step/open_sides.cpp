@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "polder/math/units.hpp"
 #include "polder/points/tiles.hpp"
@@ -32,6 +33,39 @@ void add_layer(const Setup<Space>& setup, const GridFields<Space>& grid, const O
         }
         water.velocity[side.axis][p] = grid.water_velocity[side.axis][face];
       }
+}
+
+/// Where a given discharge is to leave and fewer points have crossed the side than that, the outermost in its cells go,
+/// too: what is left owed is less than a point.
+template <class Space>
+void take_what_is_owed(const Setup<Space>& setup, GridFields<Space>& grid, const OpenSide& side,
+                       WaterPoints<Space>& water, std::vector<Exchange>& exchanged) {
+  const auto& lattice = setup.lattice;
+  std::map<std::ptrdiff_t, std::vector<std::size_t>> due;  // points by the cell inside
+  over_side(lattice, side,
+            [&](std::ptrdiff_t, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>& cell) {
+              if (grid.owed[outside] < -setup.nominal_point_volume(cell)) due.try_emplace(inside);
+            });
+  if (due.empty()) return;
+  for (std::size_t p = 0; p < water.size(); ++p) {
+    const auto found = due.find(cell_at(lattice, position_of(water, p)));
+    if (found != due.end()) found->second.push_back(p);
+  }
+  std::vector<std::uint8_t> leaves(water.size(), 0);
+  for (auto& [inside, points] : due) {
+    double& owed = grid.owed[inside + (side.end == 0 ? -1 : 1) * lattice.stride[side.axis]];
+    std::sort(points.begin(), points.end(), [&](std::size_t a, std::size_t b) {
+      const Array& x = water.position[side.axis];
+      return std::pair{side.outward() * x[b], water.id[b]} < std::pair{side.outward() * x[a], water.id[a]};
+    });
+    for (const std::size_t p : points) {
+      if (owed > -water.volume[p]) break;
+      owed += water.volume[p];
+      exchanged.push_back({inside, -water.volume[p]});
+      leaves[p] = 1;
+    }
+  }
+  if (std::find(leaves.begin(), leaves.end(), 1) != leaves.end()) remove_points(water, leaves);
 }
 
 }  // namespace
@@ -114,6 +148,7 @@ std::vector<Exchange> exchange_through_sides(const Setup<Space>& setup, double d
                   exchanged.push_back({inside, layer});
                 }
               });
+    if (!side.prescribes_head && !side.only_out) take_what_is_owed(setup, grid, side, water, exchanged);
   }
   return exchanged;
 }
