@@ -58,6 +58,28 @@ void spread_films(const Setup<Space>& setup, const StepControl& control, double 
   });
 }
 
+template <class Space>
+void let_drops_slide(const Setup<Space>& setup, GridFields<Space>& grid) {
+  const auto& lattice = setup.lattice;
+  std::vector<std::ptrdiff_t> drops;
+  Team alone(1);
+  over_cell_rows(lattice, grid.rows, alone, [&](std::ptrdiff_t first, int count, const auto&) {
+    for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
+      if (!grid.wet[cell] || setup.bodies.open_cell(cell) >= 1) continue;
+      bool single = true;
+      for (int a = 0; a < Space::axes; ++a) {
+        const std::ptrdiff_t s = lattice.stride[a];
+        single = single && (!grid.wet[cell - s] || setup.shut(a, cell));
+        single = single && (!grid.wet[cell + s] || setup.shut(a, cell + s));
+      }
+      if (single) drops.push_back(cell);
+    }
+  });
+  for (const std::ptrdiff_t cell : drops) grid.wet[cell] = 0;
+}
+
+template void let_drops_slide(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&);
+template void let_drops_slide(const Setup<Solid>&, GridFields<Solid>&);
 template void spread_films(const Setup<PlaneStrain>&, const StepControl&, double, GridFields<PlaneStrain>&, Team&);
 template void spread_films(const Setup<Solid>&, const StepControl&, double, GridFields<Solid>&, Team&);
 

@@ -14,4 +14,10 @@ template <class Space>
 void spread_films(const Setup<Space>& setup, const StepControl& control, double dt, GridFields<Space>& grid,
                   Team& team);
 
+/// Cells cut by a body that are wet while nothing beside them is count as dry: a drop on a slope slides freely. Its
+/// pressure would bend its way to the openings that the cut leaves the cell, and drag what is slower along: drops were
+/// shot up a bank at hundreds of m/s. After water_to_grid().
+template <class Space>
+void let_drops_slide(const Setup<Space>& setup, GridFields<Space>& grid);
+
 }  // namespace polder

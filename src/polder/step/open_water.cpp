@@ -5,6 +5,7 @@
 
 #include "polder/math/random.hpp"
 #include "polder/step/face_loop.hpp"
+#include "polder/step/interior.hpp"
 #include "polder/step/rain.hpp"
 #include "polder/step/stepper.hpp"
 #include "polder/step/wells.hpp"
@@ -145,18 +146,21 @@ double OpenWater<Space>::share_paid(double dt) const {
   return std::min(1.0, dt / std::sqrt(inner_->setup.lattice.smallest_spacing() / gravity));
 }
 
-/// Pays this share of accounts into and out of the points in these cells, each in another column.
+/// Pays this share of accounts into and out of the points in these cells, each that of the column `aside` before its
+/// own.
 template <class Space>
-void OpenWater<Space>::pay(const std::vector<std::ptrdiff_t>& cells, double share) {
+void OpenWater<Space>::pay(const std::vector<std::ptrdiff_t>& cells, int aside, double share) {
+  const auto account = [&](std::ptrdiff_t cell) -> double& {
+    return account_[inner_->setup.lattice.place(cell, 0) - aside];
+  };
   std::vector<WellFlow> flows;
-  for (const std::ptrdiff_t cell : cells)
-    flows.push_back({cell, 0, 0, -share * account_[inner_->setup.lattice.place(cell, 0)]});
+  for (const std::ptrdiff_t cell : cells) flows.push_back({cell, 0, 0, -share * account(cell)});
   const std::uint64_t first_new = inner_->next_water_id;
   WaterPoints<Space>& water = inner_->water;
   bool sorted = true;
   for (const Exchange& paid :
        exchange_with_wells(inner_->setup, 1.0, flows, inner_->grid, inner_->next_water_id, water, sorted))
-    account_[inner_->setup.lattice.place(paid.cell, 0)] -= paid.volume;
+    account(paid.cell) -= paid.volume;
   if (sorted) return;
   for (std::size_t p = 0; p < water.size() && first_new < inner_->next_water_id; ++p) {
     if (water.id[p] < first_new) continue;
@@ -183,15 +187,19 @@ void OpenWater<Space>::settle(double dt) {
     else if (account_[i] >= parcel * inner_->setup.nominal_point_volume(cell))
       emit(i);
   }
-  if (!standing.empty()) pay(standing, share_paid(dt));
-  for (const std::ptrdiff_t way : {std::ptrdiff_t{0}, -rise, rise}) {  // also in the sliver below, on its way above
+  if (!standing.empty()) pay(standing, 0, share_paid(dt));
+  // also in the sliver below, on its way above, and beside, where a point is whose box reaches here
+  const std::array<std::array<int, 2>, 5> ways{{{0, 0}, {0, -1}, {0, 1}, {-1, 0}, {1, 0}}};
+  for (const auto& [aside, up] : ways) {
     std::vector<std::ptrdiff_t> there;
     for (const std::ptrdiff_t cell : films) {
-      const int level = lattice.place(cell, Space::up) + (way > 0 ? 1 : way < 0 ? -1 : 0);
-      if (account_[lattice.place(cell, 0)] < 0 && level >= 0 && level < lattice.cells[Space::up])
-        there.push_back(cell + way);
+      const int column = lattice.place(cell, 0), level = lattice.place(cell, Space::up) + up;
+      if (account_[column] >= 0 || level < 0 || level >= lattice.cells[Space::up]) continue;
+      if (column + aside < 0 || column + aside >= lattice.cells[0]) continue;
+      if (aside != 0 && inner_->setup.walls.blocked(0, aside < 0 ? cell : cell + 1)) continue;
+      there.push_back(cell + aside + up * rise);
     }
-    if (!there.empty()) pay(there, 1);
+    if (!there.empty()) pay(there, aside, 1);
   }
 }
 
@@ -230,9 +238,10 @@ void OpenWater<Space>::set_cover(double gravity) {
     std::ptrdiff_t above = cell;
     for (int k = level; k < lattice.cells[Space::up] && volume[above] > 0; ++k, above += rise)
       on_ground_[i] += volume[above];
-    const double held = on_ground_[i] + account_[i];
+    const double held =
+        std::max(0.0, on_ground_[i] + account_[i]);  // the ground does not pay what water has run away with
     cover.available[i] = held - wanted_by_air_[i];
-    if (ground_[i] >= 0) cover.pressure[i] = weight * std::max(0.0, held) / lattice.face_area(Space::up, cell);
+    if (ground_[i] >= 0) cover.pressure[i] = weight * held / lattice.face_area(Space::up, cell);
   }
 }
 
@@ -287,8 +296,8 @@ void OpenWater<Space>::show(const Setup<Space>& setup, const PoreFields<Space>& 
     for (std::size_t f = 0; f < grid.discharge[a].size(); ++f) {
       const auto face = static_cast<std::ptrdiff_t>(f);
       if (!free.reached[a][f]) continue;
-      const double fill = std::min(1.0, 0.5 * (free.fill[f] + free.fill[face - lattice.stride[a]]));
-      grid.discharge[a][f] += bodies.open_face(a, face) * fill * free.water_velocity[a][f];
+      grid.discharge[a][f] +=
+          bodies.open_face(a, face) * flowing_share(inner_->setup, free, a, face) * free.water_velocity[a][f];
     }
 }
 

@@ -63,7 +63,7 @@ class OpenWater {
   void rebuild(const Setup<Space>& setup);
   void let_it_rain(const Setup<Space>& setup, double time, double dt, std::vector<Exchange>& exchanged);
   void settle(double dt);
-  void pay(const std::vector<std::ptrdiff_t>& cells, double share);
+  void pay(const std::vector<std::ptrdiff_t>& cells, int aside, double share);
   double share_paid(double dt) const;
   void emit(std::size_t column);
   void set_cover(double gravity);

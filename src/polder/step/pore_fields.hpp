@@ -39,6 +39,7 @@ struct PoreFields {
         way(bulk),
         mixing(bulk),
         over_ground(bulk),
+        face_bulk(bulk),
         flow(make_face_field(lattice)),
         held_mass(make_face_field(lattice)),
         host(static_cast<std::size_t>(lattice.size), -1),
@@ -69,6 +70,7 @@ struct PoreFields {
   Array way;                         ///< that the cell's faces move in the step, cells
   Array mixing;                      ///< share of their differences that a cell's points lose in the step
   Array over_ground;                 ///< Pa, pressure of still water that stands on the ground, where there is any
+  Array face_bulk;                   ///< m³ of yielding soil by splines on the upward faces, where water stands
   FaceField<Space> flow;             ///< m³/s of water through a face, along the axis, relative to the grains
   FaceField<Space> held_mass;        ///< kg of soil that never moves
   AlignedVector<std::int32_t> host;  ///< cell that stands for one without soil of its own; −1: itself

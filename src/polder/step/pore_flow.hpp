@@ -50,7 +50,9 @@ double pressure_force(const Lattice<Space>& lattice, const PoreFields<Space>& po
 }
 
 /// Force on a face, N, along the axis, of still water that stands on the ground: what presses on either side in the
-/// room beside the soil, less that water's own weight. Nothing where there is no soil.
+/// room beside the soil, less that water's own weight. Nothing where there is no soil. What is left of the two under
+/// water is buoyancy, ρ_w g times the soil's volume; upwards it goes to the faces by the splines that the weight goes
+/// by, for a face at the surface has little of either.
 template <class Space>
 double standing_water_force(const Lattice<Space>& lattice, const PoreFields<Space>& pores, double weight, int axis,
                             std::ptrdiff_t face) {
@@ -62,7 +64,11 @@ double standing_water_force(const Lattice<Space>& lattice, const PoreFields<Spac
   };
   const double below = room(low), above = room(face);
   const double push = (below * pores.over_ground[low] - above * pores.over_ground[face]) / lattice.spacing[axis];
-  return axis == Space::up ? push - 0.5 * weight * (below + above) : push;
+  if (axis != Space::up) return push;
+  const double volume = 0.5 * (pores.weight[axis][low] + pores.weight[axis][face]);
+  const bool submerged = pores.over_ground[low] > 0 && pores.over_ground[face] > 0;
+  const double buoyant = submerged && volume < (1 - 1e-9) * lattice.cell_volume() ? pores.face_bulk[face] - volume : 0;
+  return push + weight * (buoyant - 0.5 * (below + above));
 }
 
 /// D of every cell by the faces' velocities, that of cells without soil added to their hosts'.

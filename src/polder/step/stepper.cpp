@@ -213,6 +213,7 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
 
   soil_to_grid(setup, soil, soil_tiling_, control.time, grid, team);
   water_to_grid(setup, soil, soil_tiling_, water, water_tiling_, grid, team);
+  if (setup.bodies.any()) let_drops_slide(setup, grid);
   keep_cavities(setup, grid);
   if (!setup.open_sides.empty()) prepare_open_sides(setup, control.time, grid);
   const bool far_field = control.event && setup.any_absorbs();

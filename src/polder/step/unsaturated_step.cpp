@@ -320,6 +320,7 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   pores.content_before = pores.content;
   pores.ratio_before = pores.ratio;
   const bool standing_water = set_standing_water(setup, ground_, control.time, setup.gravity, pores, cover);
+  if (standing_water) bulk_to_faces(setup, soil, tiling, pores, team);
   const double unbalanced = predict(setup, control, dt, standing_water, grid, team);
   if (setup.bodies.any()) {
     extrapolate_soil(setup, grid, team);

@@ -226,6 +226,37 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
 }
 
 template <class Space>
+void bulk_to_faces(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
+                   PoreFields<Space>& pores, Team& team) {
+  constexpr int up = Space::up;
+  const auto& lattice = setup.lattice;
+  std::fill(pores.face_bulk.begin(), pores.face_bulk.end(), 0.0);
+  double* field = pores.face_bulk.data();
+  over_chunks(tiling, team, [&](std::size_t first, int count) {
+    ChunkWeights<Space> chunk;
+    chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
+    const bool walled = beside_walls(setup.walls, lattice, chunk, count);
+    for (int l = 0; l < count; ++l) {
+      const std::size_t p = first + static_cast<std::size_t>(l);
+      if (setup.materials[soil.material[p]].fixed) continue;
+      const double volume = bulk_volume(setup, soil, p);
+      if (walled) {
+        over_seen_nodes<up>(setup.walls, lattice, chunk, l,
+                            [&](const SeenNode<Space>& node) { field[node.at] += volume * node.value(); });
+        continue;
+      }
+      const Vec4 row = volume * x_row<up>(chunk, l).weight;
+      double* base = field + stencil_base<up>(chunk, l);
+      over_rows<up>(chunk, lattice.stride, l,
+                    [&](std::ptrdiff_t at, double wy, double, double, double wz, double, double) {
+                      store4(base + at, load4(base + at) + (wy * wz) * row);
+                    });
+    }
+  });
+  fold(pores.face_bulk, up, false, setup.soil_box, lattice);
+}
+
+template <class Space>
 void pores_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
                    PoreFields<Space>& pores, Team& team) {
   for (auto& field : pores.composition) std::fill(field.begin(), field.end(), 0.0);
@@ -421,6 +452,8 @@ void move_points(const Setup<Space>& setup, double dt, const Tiling<Space>& tili
   template Motion strain_points(const Setup<Space>&, double, const GridFields<Space>&, const Tiling<Space>&,           \
                                 SoilPoints<Space>&, PoreFields<Space>&, Team&);                                        \
   template void pores_to_grid(const Setup<Space>&, const SoilPoints<Space>&, const Tiling<Space>&, PoreFields<Space>&, \
+                              Team&);                                                                                  \
+  template void bulk_to_faces(const Setup<Space>&, const SoilPoints<Space>&, const Tiling<Space>&, PoreFields<Space>&, \
                               Team&);                                                                                  \
   template void move_points(const Setup<Space>&, double, const Tiling<Space>&, PoreFields<Space>&, SoilPoints<Space>&, \
                             Team&);

@@ -27,6 +27,11 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
                      InertiaRule inertia, double gravity, double time, GridFields<Space>& grid,
                      PoreFields<Space>& pores, Team& team);
 
+/// The volume of the soil that yields to the upward faces, into `pores.face_bulk`.
+template <class Space>
+void bulk_to_faces(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
+                   PoreFields<Space>& pores, Team& team);
+
 /// Velocities and rates of strain to the points; dilation such that each cell's points change their volume as its
 /// faces' velocities say; then stress and porosity. The points have not moved yet. `grid.soil_velocity` is reflected.
 template <class Space>
