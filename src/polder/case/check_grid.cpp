@@ -138,9 +138,6 @@ void check_grid(const Sections& sections, Model& model, Diagnostics& diagnostics
       if (refine.text("along") == "x")
         report(diagnostics, refine.place_of("along"), refine.path_of("along"),
                "the cells of a periodic model are alike along x", "refine along the height, or leave periodic out");
-  if (model.unsaturated && !sections.refinements.empty())
-    report(diagnostics, sections.refinements.front().place, sections.refinements.front().path,
-           "[[refine]] is not available in the unsaturated formulation yet", "make model.cell smaller");
 }
 
 }  // namespace polder::case_file

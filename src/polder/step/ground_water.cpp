@@ -21,8 +21,13 @@ void over_columns(const Lattice<Space>& lattice, Body&& body) {
   const int deep = Space::axes == 3 ? lattice.cells[1] : 1;
   for (int j = 0; j < deep; ++j)
     for (int i = 0; i < lattice.cells[0]; ++i)
-      body(static_cast<std::size_t>(j) * lattice.cells[0] + i, (i + 0.5) * lattice.spacing[0],
+      body(static_cast<std::size_t>(j) * lattice.cells[0] + i, lattice.axis[0].centre(i),
            Space::axes == 3 ? lattice.index(i, j, 0) : lattice.index(i, 0));
+}
+
+/// Height, m, over the centre of cell i of an axis.
+double over_centre(const GridAxis& axis, double height, int i) {
+  return axis.graded() ? height - axis.centre(i) : height - (i + 0.5) * axis.least();
 }
 
 struct Surface {
@@ -35,12 +40,13 @@ Surface surface_of(const Setup<Space>& setup, const Array& bulk, std::ptrdiff_t 
   const auto& lattice = setup.lattice;
   Surface top;
   for (int level = 0; level < lattice.cells[Space::up]; ++level) {
-    const double v = bulk[lowest + level * lattice.stride[Space::up]];
-    top.height += v / lattice.face_area(Space::up);
-    if (v > least_top * lattice.cell_volume()) top.level = level;
+    const std::ptrdiff_t cell = lowest + level * lattice.stride[Space::up];
+    top.height += bulk[cell] / lattice.face_area(Space::up, lowest);
+    if (bulk[cell] > least_top * lattice.cell_volume(cell)) top.level = level;
   }
   for (int level = 0; setup.bodies.any() && level <= top.level; ++level)  // that the soil lies on
-    top.height += (1 - setup.bodies.open_cell(lowest + level * lattice.stride[Space::up])) * lattice.spacing[Space::up];
+    top.height +=
+        (1 - setup.bodies.open_cell(lowest + level * lattice.stride[Space::up])) * lattice.axis[Space::up].width(level);
   return top;
 }
 
@@ -100,8 +106,8 @@ std::vector<int> ground_conditions(const Setup<Space>& setup, const SoilPoints<S
   std::vector<int> ground(static_cast<std::size_t>(lattice.cells[0] * (Space::axes == 3 ? lattice.cells[1] : 1)), -1);
   over_columns(lattice, [&](std::size_t column, double x, std::ptrdiff_t lowest) {
     const Surface top = surface_of(setup, bulk, lowest);
-    double nearest = 1.5 * lattice.spacing[Space::up];
     if (top.level < 0) return;
+    double nearest = 1.5 * lattice.axis[Space::up].width(top.level);
     for (std::size_t i = 0; i < setup.pore_water.size(); ++i) {
       const OnLine at = on_line(setup.pore_water[i].line, x);
       if (at.share < 0 || std::abs(at.height - top.height) >= nearest) continue;
@@ -118,23 +124,25 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
   using Kind = SeepageCondition::Kind;
   constexpr double unbounded = -std::numeric_limits<double>::infinity();
   const auto& lattice = setup.lattice;
-  const double weight = setup.water.density * gravity, h = lattice.spacing[Space::up];
+  const GridAxis& upwards = lattice.axis[Space::up];
+  const double weight = setup.water.density * gravity;
   std::vector<PoreExit> exits;
   // conductance of the way from a cell's centre to the outside at `distance` along `axis`
   const auto way = [&](std::ptrdiff_t cell, int axis, double distance) {
-    return pores.relative[cell] * lattice.face_area(axis) / (pores.resistance[axis == Space::up][cell] * distance);
+    return pores.relative[cell] * lattice.face_area(axis, cell) /
+           (pores.resistance[axis == Space::up][cell] * distance);
   };
   over_columns(lattice, [&](std::size_t column, double x, std::ptrdiff_t lowest) {
     const Surface top = surface_of(setup, pores.bulk, lowest);
     if (top.level < 0) return;
     const std::ptrdiff_t upper = lowest + top.level * lattice.stride[Space::up];
-    const double above = top.height - (top.level + 0.5) * h;  // of the ground over the cell's centre
+    const double above = over_centre(upwards, top.height, top.level);  // of the ground
     const SeepageCondition* given = ground[column] >= 0 ? &setup.pore_water[ground[column]] : nullptr;
     const Kind kind = given ? given->kind : Kind::seepage;
     if (kind != Kind::closed) {
-      PoreExit exit{upper, way(upper, Space::up, std::max(above, 0.25 * h)), weight * above, 0};
+      PoreExit exit{upper, way(upper, Space::up, std::max(above, 0.25 * upwards.width(top.level))), weight * above, 0};
       const OnLine at = given ? on_line(given->line, x) : OnLine{};
-      if (kind == Kind::rain) exit.least = -given->rate(time) * at.stretch * lattice.face_area(Space::up);
+      if (kind == Kind::rain) exit.least = -given->rate(time) * at.stretch * lattice.face_area(Space::up, lowest);
       if (kind == Kind::head) {
         const double depth = head_of(*given, time, at.share) - top.height;
         if (depth > 0) exit.level += weight * depth, exit.least = unbounded;
@@ -148,6 +156,7 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
       }
       exits.push_back(exit);
     }
+    const double h = upwards.width(0);
     for (const SeepageCondition& condition : setup.pore_water) {  // the base
       const OnLine at = on_line(condition.line, x);
       if (condition.kind == Kind::closed || at.share < 0 || at.height > 1e-6 * h || !pores.active[lowest]) continue;
@@ -170,12 +179,12 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
     const int deep = Space::axes == 3 ? lattice.cells[1] : 1, i = left ? 0 : lattice.cells[0] - 1;
     for (int j = 0; j < deep; ++j)
       for (int level = 0; level < lattice.cells[Space::up]; ++level) {
-        const double y = (level + 0.5) * h;
+        const double y = upwards.centre(level);
         const std::ptrdiff_t cell = Space::axes == 3 ? lattice.index(i, j, level) : lattice.index(i, level);
         if (y < low || y > high || !pores.active[cell] || pores.host[cell] >= 0) continue;
         const double over = condition.kind == Kind::head ? head_of(condition, time, 0) - y : 0;
-        exits.push_back(
-            {cell, way(cell, 0, 0.5 * lattice.spacing[0]), weight * std::max(over, 0.0), over > 0 ? unbounded : 0});
+        exits.push_back({cell, way(cell, 0, 0.5 * lattice.axis[0].width(i)), weight * std::max(over, 0.0),
+                         over > 0 ? unbounded : 0});
       }
   }
   return exits;
@@ -185,7 +194,8 @@ template <class Space>
 bool set_standing_water(const Setup<Space>& setup, const std::vector<int>& ground, double time, double gravity,
                         PoreFields<Space>& pores, const GroundCover* cover) {
   const auto& lattice = setup.lattice;
-  const double weight = setup.water.density * gravity, h = lattice.spacing[Space::up];
+  const GridAxis& upwards = lattice.axis[Space::up];
+  const double weight = setup.water.density * gravity;
   std::fill(pores.over_ground.begin(), pores.over_ground.end(), 0.0);
   bool any = false;
   over_columns(lattice, [&](std::size_t column, double x, std::ptrdiff_t lowest) {
@@ -197,8 +207,8 @@ bool set_standing_water(const Setup<Space>& setup, const std::vector<int>& groun
                               : top.height + cover->pressure[column] / std::max(weight, 1e-300);
     if (top.level < 0 || level <= top.height) return;
     any = true;
-    for (int k = std::max(0, top.level - uneven_depth); k < lattice.cells[Space::up] && (k + 0.5) * h < level; ++k)
-      pores.over_ground[lowest + k * lattice.stride[Space::up]] = weight * (level - (k + 0.5) * h);
+    for (int k = std::max(0, top.level - uneven_depth); k < lattice.cells[Space::up] && upwards.centre(k) < level; ++k)
+      pores.over_ground[lowest + k * lattice.stride[Space::up]] = weight * (level - upwards.centre(k));
   });
   return any;
 }

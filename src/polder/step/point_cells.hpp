@@ -14,8 +14,8 @@ template <class Space>
 class PointCells {
  public:
   PointCells() = default;
-  /// `half`: of the edge of the point's box, spacings.
-  PointCells(const Setup<Space>& setup, const std::array<double, 3>& x, double half) {
+  /// `half`: of the edges of the point's box, cells.
+  PointCells(const Setup<Space>& setup, const std::array<double, 3>& x, const std::array<double, 3>& half) {
     std::array<int, 3> low = setup.soil_box.low, high = setup.soil_box.high;
     if (setup.walls.any() || setup.bodies.any()) {
       const auto place = cell_of(setup.lattice, x);

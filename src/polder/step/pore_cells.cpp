@@ -12,6 +12,11 @@ namespace {
 
 constexpr double hardly = 1e-3;  // of a cell's volume: no soil
 
+/// From the centre of one cell to that of another, in smallest cells.
+double cells_between(const GridAxis& axis, int from, int to) {
+  return axis.graded() ? (axis.centre(to) - axis.centre(from)) / axis.least() : to - from;
+}
+
 template <class Space>
 bool inside(const Lattice<Space>& lattice, const std::array<int, 3>& place) {
   for (int a = 0; a < Space::axes; ++a)
@@ -24,10 +29,9 @@ bool inside(const Lattice<Space>& lattice, const std::array<int, 3>& place) {
 template <class Space>
 void smooth_weights(const Setup<Space>& setup, PoreFields<Space>& pores) {
   const auto& lattice = setup.lattice;
-  const double volume = lattice.cell_volume();
   std::vector<std::uint8_t> full(static_cast<std::size_t>(lattice.size), 0), next;
-  over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>&) {
-    full[cell] = pores.yielding[cell] > 0.9 * volume;
+  over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
+    full[cell] = pores.yielding[cell] > 0.9 * lattice.cell_volume(place);
   });
   for (int a = 0; a < Space::axes; ++a) {
     next = full;
@@ -37,9 +41,9 @@ void smooth_weights(const Setup<Space>& setup, PoreFields<Space>& pores) {
     });
     full.swap(next);
   }
-  for (auto& w : pores.weight)
-    over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>&) {
-      if (full[cell]) w[cell] = volume;
+  for (int a = 0; a < Space::axes; ++a)
+    over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
+      if (full[cell]) pores.weight[a][cell] = full_weight(lattice, a, place);
     });
 }
 
@@ -48,7 +52,6 @@ template <class Space>
 std::ptrdiff_t host_of(const Setup<Space>& setup, const PoreFields<Space>& pores, std::ptrdiff_t cell,
                        const std::array<int, 3>& place) {
   const auto& lattice = setup.lattice;
-  const double least = hardly * lattice.cell_volume();
   const auto walled = [&](std::ptrdiff_t from, std::ptrdiff_t step, int d, int a) {  // between it and d steps on
     for (int k = 0; k < d; ++k)
       if (setup.walls.blocked(a, step > 0 ? from + (k + 1) * step : from + k * step)) return true;
@@ -61,7 +64,8 @@ std::ptrdiff_t host_of(const Setup<Space>& setup, const PoreFields<Space>& pores
         std::array<int, 3> at = place;
         at[a] += sign * d;
         const std::ptrdiff_t other = cell + sign * d * lattice.stride[a];
-        if (inside(lattice, at) && pores.bulk[other] > least && !walled(cell, sign * lattice.stride[a], d, a))
+        if (inside(lattice, at) && pores.bulk[other] > hardly * lattice.cell_volume(at) &&
+            !walled(cell, sign * lattice.stride[a], d, a))
           return other;
       }
   return -1;
@@ -111,13 +115,16 @@ void choose_leaders(const Setup<Space>& setup, GridFields<Space>& grid, PoreFiel
 /// pressed against the body.
 template <class Space>
 void complete_weights(const Setup<Space>& setup, PoreFields<Space>& pores) {
-  const double volume = setup.lattice.cell_volume(), least = hardly * volume;
-  over_all_cells(setup.lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>&) {
+  over_all_cells(setup.lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
     const double body = 1 - setup.bodies.own_share(cell);
-    for (auto& w : pores.weight)
-      w[cell] = setup.bodies.covered(cell)    ? 0
-                : body > 0 && w[cell] > least ? std::min(volume, w[cell] + body * volume)
-                                              : w[cell];
+    for (int a = 0; a < Space::axes; ++a) {
+      double& w = pores.weight[a][cell];
+      const double full = full_weight(setup.lattice, a, place);
+      if (setup.bodies.covered(cell))
+        w = 0;
+      else if (body > 0 && w > hardly * full)
+        w = std::min(full, w + body * full);
+    }
   });
 }
 
@@ -126,13 +133,13 @@ void complete_weights(const Setup<Space>& setup, PoreFields<Space>& pores) {
 template <class Space>
 void prepare_cells(const Setup<Space>& setup, double gravity, GridFields<Space>& grid, PoreFields<Space>& pores) {
   const auto& lattice = setup.lattice;
-  const double volume = lattice.cell_volume(), least = hardly * volume;
+  const double least = hardly * lattice.cell_volume();  // of weights
   choose_leaders(setup, grid, pores, pores.weight);
   smooth_weights(setup, pores);
   if (setup.bodies.any()) complete_weights(setup, pores);
   const AlignedVector<std::uint8_t> before = pores.active;
   over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
-    bool active = pores.bulk[cell] > least;
+    bool active = pores.bulk[cell] > hardly * lattice.cell_volume(place);
     pores.host[cell] = -1;
     if (active) {
       for (auto& r : pores.resistance) r[cell] /= pores.bulk[cell];
@@ -152,21 +159,23 @@ void prepare_cells(const Setup<Space>& setup, double gravity, GridFields<Space>&
     if (!pores.active[cell]) {
       grid.pressure[cell] = 0;
     } else if (host >= 0) {  // its host's, as still water
-      const int rise = place[Space::up] - lattice.place(host, Space::up);
+      const double rise = cells_between(lattice.axis[Space::up], lattice.place(host, Space::up), place[Space::up]);
       grid.pressure[cell] = grid.pressure[host] - rise * setup.water.density * gravity * lattice.spacing[Space::up];
     } else if (!before[cell]) {  // as still water from a neighbour that has had a pressure
       for (int turn = 0; turn < Space::axes; ++turn) {
         const int a = (Space::up + turn) % Space::axes;
         const std::ptrdiff_t s = lattice.stride[a];
-        const double rise = a == Space::up ? setup.water.density * gravity * lattice.spacing[a] : 0;
+        const auto rise = [&](int face) {
+          return a == Space::up ? setup.water.density * gravity * lattice.axis[a].gap(face) : 0;
+        };
         if (place[a] > 0 && pores.active[cell - s] && (before[cell - s] || a == Space::up) &&
             !setup.walls.blocked(a, cell)) {
-          grid.pressure[cell] = grid.pressure[cell - s] - rise;
+          grid.pressure[cell] = grid.pressure[cell - s] - rise(place[a]);
           break;
         }
         if (place[a] < lattice.cells[a] - 1 && pores.active[cell + s] && before[cell + s] &&
             !setup.walls.blocked(a, cell + s)) {
-          grid.pressure[cell] = grid.pressure[cell + s] + rise;
+          grid.pressure[cell] = grid.pressure[cell + s] + rise(place[a] + 1);
           break;
         }
       }
@@ -205,11 +214,11 @@ void fill_pores(const Setup<Space>& setup, const GridFields<Space>& grid, PoreFi
 template <class Space>
 void set_volume_change(const Setup<Space>& setup, const GridFields<Space>& grid, PoreFields<Space>& pores, Team& team) {
   const auto& lattice = setup.lattice;
-  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
-    for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, std::array<int, 3> place) {
+    for (std::ptrdiff_t cell = first; cell < first + count; ++cell, ++place[0]) {
       double change = 0;
       for (int a = 0; a < Space::axes; ++a)
-        change += pores.weight[a][cell] *
+        change += pores.weight[a][cell] * true_area(lattice, a, place) *
                   (grid.soil_velocity[a][cell + lattice.stride[a]] - grid.soil_velocity[a][cell]) / lattice.spacing[a];
       pores.volume_change[cell] = pores.active[cell] ? change : 0;
     }

@@ -19,9 +19,8 @@ constexpr double closed_to = 1e-9;  // of its pores: error of a cell's balance a
 template <class Space>
 double open_share(const Setup<Space>& setup, const PoreFields<Space>& pores, int axis, std::ptrdiff_t low,
                   std::ptrdiff_t high) {
-  const double volume = setup.lattice.cell_volume();
   const auto filled = [&](std::ptrdiff_t cell) {  // of what a body leaves open
-    return pores.bulk[cell] / (volume * std::max(0.1, setup.bodies.open_cell(cell)));
+    return pores.bulk[cell] / (setup.lattice.cell_volume(cell) * std::max(0.1, setup.bodies.open_cell(cell)));
   };
   const double share = axis == Space::up ? 10 * filled(low) : std::min(filled(low), filled(high));
   return std::clamp(share, 0.01, 1.0) * setup.bodies.open_face(axis, high);
@@ -35,8 +34,10 @@ double conductance(const Setup<Space>& setup, const PoreFields<Space>& pores, in
   const std::ptrdiff_t low = face - lattice.stride[axis];
   if (!pores.active[low] || !pores.active[face] || pores.host[low] >= 0 || pores.host[face] >= 0) return 0;
   const Array& a = pores.resistance[axis == Space::up];
-  return open_share(setup, pores, axis, low, face) * lattice.face_area(axis) *
-         (pores.relative[low] + pores.relative[face]) / (lattice.spacing[axis] * (a[low] + a[face]));
+  const int place = lattice.place(face, axis);
+  const double below = relative_width(lattice, axis, place - 1), above = relative_width(lattice, axis, place);
+  return open_share(setup, pores, axis, low, face) * lattice.face_area(axis, face) *
+         (pores.relative[low] + pores.relative[face]) / (lattice.spacing[axis] * (a[low] * below + a[face] * above));
 }
 
 }  // namespace
@@ -55,7 +56,7 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
   double last_error = 0, share = 1;  // of the increment, that has been added
 
   const auto flow = [&](int a, std::ptrdiff_t f) {
-    const double head = a == Space::up ? weight * lattice.spacing[a] : 0;
+    const double head = a == Space::up ? weight * lattice.axis[a].gap(lattice.place(f, a)) : 0;
     return conducts[a][f] * (grid.pressure[f - lattice.stride[a]] - grid.pressure[f] - head);
   };
   const auto inner = [&](int a, std::ptrdiff_t cell, int end) {  // whether the cell's face at this end is inside
@@ -92,8 +93,8 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
 
     // balance of every cell, and its derivatives
     std::vector<double> worst(grid.rows.spans.size(), 0.0);
-    over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
-      for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
+    over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, std::array<int, 3> place) {
+      for (std::ptrdiff_t cell = first; cell < first + count; ++cell, ++place[0]) {
         for (int a = 0; a < Space::axes; ++a) solver.matrix.coupling[a][cell] = 0;
         solver.matrix.diagonal[cell] = solver.right_side[cell] = 0;
         if (!pores.active[cell] || pores.host[cell] >= 0) continue;
@@ -103,13 +104,14 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
             const std::ptrdiff_t f = cell + end * lattice.stride[a], other = end == 0 ? cell - lattice.stride[a] : f;
             const double h = lattice.spacing[a];
             const double own = coupled[cell] * pores.weight[a][cell] / h;
-            sum += own * own * grid.soil_response[a][f];
+            const double strains = own * true_area(lattice, a, place);
+            sum += own * strains * grid.soil_response[a][f];
             if (!inner(a, cell, end)) continue;
             out += (end == 0 ? -1 : 1) * pores.flow[a][f];
             sum += conducts[a][f];
             if (end == 0 && pores.active[other] && pores.host[other] < 0)
               solver.matrix.coupling[a][cell] =
-                  conducts[a][f] + own * grid.soil_response[a][f] * coupled[other] * pores.weight[a][other] / h;
+                  conducts[a][f] + strains * grid.soil_response[a][f] * coupled[other] * pores.weight[a][other] / h;
           }
         solver.matrix.diagonal[cell] = sum;
         solver.right_side[cell] =
@@ -124,7 +126,8 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
           const std::ptrdiff_t f = cell + end * lattice.stride[a], other = end == 0 ? cell - lattice.stride[a] : f;
           const double own = coupled[cell] * pores.weight[a][cell] / lattice.spacing[a];
           const double shared = other == host ? coupled[host] * pores.weight[a][host] / lattice.spacing[a] : 0;
-          solver.matrix.diagonal[host] += own * (own - 2 * shared) * grid.soil_response[a][f];
+          const double strains = own * true_area(lattice, a, lattice.places(cell));
+          solver.matrix.diagonal[host] += strains * (own - 2 * shared) * grid.soil_response[a][f];
         }
     }
     for (const PoreExit& exit : exits) {
@@ -132,13 +135,13 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
       if (exit.conductance * (grid.pressure[exit.cell] - exit.level) > exit.least)
         solver.matrix.diagonal[exit.cell] += exit.conductance;
     }
-    const double scale = dt / lattice.cell_volume();
     for (std::size_t row = 0; row < grid.rows.spans.size(); ++row) {
       const RowSpan span = grid.rows.spans[row];
       const int j = static_cast<int>(static_cast<std::ptrdiff_t>(row) % lattice.cells[1]);
       const int k = static_cast<int>(static_cast<std::ptrdiff_t>(row) / lattice.cells[1]);
+      const RowVolume<Space> volume(lattice, {0, j, k});
       for (int i = span.begin; i < span.end; ++i)
-        worst[row] = std::max(worst[row], std::abs(solver.right_side[lattice.index(i, j, k)]) * scale);
+        worst[row] = std::max(worst[row], std::abs(solver.right_side[lattice.index(i, j, k)]) * (dt / volume(i)));
     }
     const double error = *std::max_element(worst.begin(), worst.end());
     if (error < closed_to) break;

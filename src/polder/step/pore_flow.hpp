@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "polder/grid/pressure_solver.hpp"
+#include "polder/step/cell_weights.hpp"
 #include "polder/step/fields.hpp"
 #include "polder/step/pore_fields.hpp"
 
@@ -59,16 +60,21 @@ double standing_water_force(const Lattice<Space>& lattice, const PoreFields<Spac
   const std::ptrdiff_t low = face - lattice.stride[axis];
   const auto room = [&](std::ptrdiff_t cell) {
     if (pores.over_ground[cell] == 0) return 0.0;
-    const double held = pores.bulk[cell] - pores.yielding[cell];
-    return lattice.cell_volume() - pores.weight[axis][cell] - held;
+    const std::array<int, 3> at = lattice.places(cell);
+    const double full = full_weight(lattice, axis, at);
+    const double held = (pores.bulk[cell] - pores.yielding[cell]) * (full / lattice.cell_volume(at));
+    return full - pores.weight[axis][cell] - held;
   };
   const double below = room(low), above = room(face);
   const double push = (below * pores.over_ground[low] - above * pores.over_ground[face]) / lattice.spacing[axis];
   if (axis != Space::up) return push;
-  const double volume = 0.5 * (pores.weight[axis][low] + pores.weight[axis][face]);
+  const int place = lattice.place(face, axis);
+  const double wide_below = relative_width(lattice, axis, place - 1), wide = relative_width(lattice, axis, place);
+  const double volume = 0.5 * (pores.weight[axis][low] * wide_below + pores.weight[axis][face] * wide);
   const bool submerged = pores.over_ground[low] > 0 && pores.over_ground[face] > 0;
-  const double buoyant = submerged && volume < (1 - 1e-9) * lattice.cell_volume() ? pores.face_bulk[face] - volume : 0;
-  return push + weight * (buoyant - 0.5 * (below + above));
+  const bool deep = volume >= (1 - 1e-9) * 0.5 * (lattice.cell_volume(low) + lattice.cell_volume(face));
+  const double buoyant = submerged && !deep ? pores.face_bulk[face] - volume : 0;
+  return push + weight * (buoyant - 0.5 * (below * wide_below + above * wide));
 }
 
 /// D of every cell by the faces' velocities, that of cells without soil added to their hosts'.

@@ -36,8 +36,10 @@ UnsaturatedStep<Space>::UnsaturatedStep(const Setup<Space>& setup, SoilPoints<Sp
     : pores(setup.lattice, setup.materials.size()) {
   const auto& lattice = setup.lattice;
   over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
-    grid.pressure[cell] = pressure_at_start(setup, (place[0] + 0.5) * lattice.spacing[0],
-                                            (place[Space::up] + 0.5) * lattice.spacing[Space::up]);
+    const std::array<double, 3> x = lattice.centre(place);
+    grid.pressure[cell] = lattice.graded ? pressure_at_start(setup, x[0], x[Space::up])
+                                         : pressure_at_start(setup, (place[0] + 0.5) * lattice.spacing[0],
+                                                             (place[Space::up] + 0.5) * lattice.spacing[Space::up]);
     pores.active[cell] = 1;  // it has a pressure
   });
   for (std::size_t p = 0; p < soil.size(); ++p) {
@@ -153,14 +155,13 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
     else
       exchanged.push_back({exit.cell, -dt * exit.out});
   }
-  const double thin = thin_cell * lattice.cell_volume();
   Array beyond = lattice.make_array();                                 // the change of Θ
   for (std::ptrdiff_t row = lattice.row_count() - 1; row >= 0; --row)  // from above, so that each passes on once
     for (int i = lattice.cells[0] - 1; i >= 0; --i) {
       const std::ptrdiff_t cell =
           lattice.index(i, static_cast<int>(row % lattice.cells[1]), static_cast<int>(row / lattice.cells[1]));
       beyond[cell] += left[cell] - pores.water[cell] - (pores.content[cell] - pores.content_before[cell]);
-      if (pores.bulk[cell] > thin || beyond[cell] == 0) continue;
+      if (pores.bulk[cell] > thin_cell * lattice.cell_volume(cell) || beyond[cell] == 0) continue;
       std::ptrdiff_t to = pores.host[cell];
       for (int turn = 0; to < 0 && turn < Space::axes; ++turn) {
         const int a = (Space::up + turn) % Space::axes;
@@ -183,12 +184,12 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
 template <class Space>
 void UnsaturatedStep<Space>::set_way(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, Team& team) {
   const auto& lattice = setup.lattice;
-  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
-    for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, std::array<int, 3> place) {
+    for (std::ptrdiff_t cell = first; cell < first + count; ++cell, ++place[0]) {
       double way = 0;
       for (int a = 0; a < Space::axes; ++a)
         for (const std::ptrdiff_t f : {cell, cell + lattice.stride[a]})
-          way = std::max(way, dt * std::abs(grid.soil_velocity[a][f]) / lattice.spacing[a]);
+          way = std::max(way, dt * std::abs(grid.soil_velocity[a][f]) / lattice.axis[a].width(place[a]));
       pores.way[cell] = std::min(1.0, way);
     }
   });
@@ -196,13 +197,14 @@ void UnsaturatedStep<Space>::set_way(const Setup<Space>& setup, double dt, const
 
 template <class Space>
 void UnsaturatedStep<Space>::judge(const Setup<Space>& setup, double dt, const SoilPoints<Space>& soil, Team& team) {
-  const double h = setup.lattice.smallest_spacing(), stretched = dt / (difference_cfl * h);
+  const double h = setup.lattice.smallest_spacing();
   const auto count = static_cast<std::ptrdiff_t>(soil.size());
   const auto volume = [&](std::ptrdiff_t p) { return bulk_volume(setup, soil, static_cast<std::size_t>(p)); };
   const auto inertia = [&](std::ptrdiff_t p) {
     const double mass = soil.mass[p] + setup.water.density * soil.water[p];
+    const auto cell = cell_of(setup.lattice, position_of(soil, static_cast<std::size_t>(p)));
     return std::max(setup.numerics.mass_scaling * mass,
-                    volume(p) * setup.pores[soil.material[p]].modulus * stretched * stretched);
+                    needed_inertia(setup.lattice, cell, volume(p), setup.pores[soil.material[p]].modulus, dt));
   };
   const double kinetic = ordered_sum(team, count, [&](std::ptrdiff_t p) {
     return 0.5 * inertia(p) * speed_squared(soil, static_cast<std::size_t>(p));
@@ -239,10 +241,11 @@ void UnsaturatedStep<Space>::judge(const Setup<Space>& setup, double dt, const S
 template <class Space>
 void UnsaturatedStep<Space>::show_water(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) const {
   const auto& lattice = setup.lattice;
-  const double rise = setup.water.density * std::max(setup.gravity, 1e-9) * lattice.spacing[Space::up];
+  const double weight = setup.water.density * std::max(setup.gravity, 1e-9);
   const std::ptrdiff_t s = lattice.stride[Space::up];
-  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
-    for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
+  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, std::array<int, 3> place) {
+    for (std::ptrdiff_t cell = first; cell < first + count; ++cell, ++place[0]) {
+      const double rise = weight * lattice.axis[Space::up].width(place[Space::up]);
       const bool own = pores.active[cell] && pores.host[cell] < 0;
       const double level = 0.5 + grid.pressure[cell] / rise;  // of the water table over the cell's base, cells
       grid.wet[cell] = own && grid.pressure[cell] >= 0;
@@ -253,7 +256,8 @@ void UnsaturatedStep<Space>::show_water(const Setup<Space>& setup, GridFields<Sp
   });
   for (int a = 0; a < Space::axes; ++a)
     for (std::size_t f = 0; f < pores.flow[a].size(); ++f)
-      grid.discharge[a][f] = pores.flow[a][f] / lattice.face_area(a);
+      if (pores.flow[a][f] != 0 || grid.discharge[a][f] != 0)
+        grid.discharge[a][f] = pores.flow[a][f] / lattice.face_area(a, static_cast<std::ptrdiff_t>(f));
 }
 
 template <class Space>
@@ -272,6 +276,12 @@ double UnsaturatedStep<Space>::pressure_at(const Setup<Space>& setup, const Grid
   std::array<int, 3> low{0, 0, 0};
   std::array<double, 3> over{0, 0, 0};  // of the centre of that cell, cells
   for (int a = 0; a < Space::axes; ++a) {
+    const GridAxis& axis = lattice.axis[a];
+    if (axis.graded()) {
+      low[a] = x[a] < axis.centre(own[a]) ? own[a] - 1 : own[a];
+      over[a] = (x[a] - axis.centre(low[a])) / axis.gap(low[a] + 1);
+      continue;
+    }
     const double place = x[a] / lattice.spacing[a] - 0.5;
     low[a] = static_cast<int>(std::floor(place));
     over[a] = place - low[a];
@@ -291,13 +301,15 @@ double UnsaturatedStep<Space>::pressure_at(const Setup<Space>& setup, const Grid
       return lattice.index(place[0], place[1], place[2]);
     };
     const auto head = [&](std::ptrdiff_t c) {
-      return grid.pressure[c] + weight * (lattice.place(c, up) + 0.5) * lattice.spacing[up];
+      return grid.pressure[c] + weight * lattice.axis[up].centre(lattice.place(c, up));
     };
     const std::ptrdiff_t lower = at(low[up]), upper = at(low[up] + 1);
     double of_upper = over[up];
     if (pores.active[lower] && pores.active[upper]) {  // the head is lost where it is hard to flow
       const double a = pores.resistance[1][lower], b = pores.resistance[1][upper];
-      if (a + b > 0) of_upper = (std::min(of_upper, 0.5) * a + std::max(of_upper - 0.5, 0.0) * b) / (0.5 * (a + b));
+      const double edge = 0.5 * lattice.axis[up].width(low[up]) / lattice.axis[up].gap(low[up] + 1);  // between the two
+      if (a + b > 0)
+        of_upper = (std::min(of_upper, edge) * a + std::max(of_upper - edge, 0.0) * b) / (edge * a + (1 - edge) * b);
     }
     for (const auto& [c, part] : {std::pair{lower, share * (1 - of_upper)}, std::pair{upper, share * of_upper}}) {
       if (!pores.active[c] || !seen(c)) continue;

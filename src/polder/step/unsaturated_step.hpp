@@ -14,6 +14,16 @@ inline constexpr double difference_cfl = 0.5;  ///< of the drained P-wave: cell 
 inline constexpr double thin_cell = 0.25;      ///< of a cell's volume: with less soil its host keeps its books
 inline constexpr int dilation_passes = 2;
 
+/// Inertia, kg, that V m³ of soil of modulus M need in a cell for a step: V M (Δt/(cfl h))².
+template <class Space>
+double needed_inertia(const Lattice<Space>& lattice, const std::array<int, 3>& cell, double volume, double modulus,
+                      double step) {
+  double h = lattice.axis[0].width(cell[0]);
+  for (int a = 1; a < Space::axes; ++a) h = std::min(h, lattice.axis[a].width(cell[a]));
+  const double stretched = step / (difference_cfl * h);
+  return volume * modulus * stretched * stretched;
+}
+
 /// How fast the ground moves, and whether what steps longer than natural do to it still is at rest.
 struct Calm {
   double unbalanced_now = 0;      ///< Σ|f| of the faces over the weight, of this step

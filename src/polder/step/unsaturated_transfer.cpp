@@ -11,6 +11,7 @@
 #include "polder/step/pore_curves.hpp"
 #include "polder/step/soil_stress.hpp"
 #include "polder/step/soil_volume.hpp"
+#include "polder/step/unsaturated_scatter.hpp"
 #include "polder/step/unsaturated_step.hpp"
 
 namespace polder {
@@ -23,134 +24,22 @@ PointCells<Space> box_of(const Setup<Space>& setup, const SoilPoints<Space>& soi
   return {setup, position_of(soil, p), box_half(setup, soil, p)};
 }
 
-/// Of the four nodes of a row of faces, the lower one of the point's own cell: 0 or 1.
-inline int own_face(double delta) { return delta < 0 ? 0 : 1; }
-
-/// Derivatives along a component's own axis (but x, whose rows are made where they are used) as cell differences.
-template <class Space>
-void use_cell_differences(ChunkWeights<Space>& chunk, int count) {
-  for (int a = 1; a < Space::axes; ++a)
-    for (int l = 0; l < count; ++l) {
-      const int o = own_face(chunk.delta[a][1][l]);
-      for (int i = 0; i < 3; ++i) chunk.derivative[a][1][i][l] = i == o ? -1 : i == o + 1 ? 1 : 0;
-    }
-}
-
-/// The difference between the faces of a point's own cell, in a row that starts one cell before.
-constexpr Vec4 difference_row{0, -1, 1, 0};
-
-/// What a point brings to the faces.
-struct Load {
-  double inertia[chunk_size], weight[chunk_size], held[chunk_size];
-  double volume[chunk_size];  // over which the stress acts: in a cell that a body cuts, as if it filled the cell
-};
-
-/// scatter_component() beside thin walls.
-// NOLINTBEGIN(readability-non-const-parameter): written in the lambda
-template <int c, class Space>
-void scatter_beside(const Setup<Space>& setup, const SoilPoints<Space>& points, const Load& load, std::size_t first,
-                    int count, const ChunkWeights<Space>& chunk, GridFields<Space>& grid, double* held_field) {
-  double* force_field = grid.soil_force[c].data();
-  scatter_beside_walls<c, true, true>(setup.walls, setup.lattice, points, load.inertia, load.volume, first, count,
-                                      chunk, grid.soil_mass[c].data(), grid.soil_velocity[c].data(), force_field);
-  for (int l = 0; l < count; ++l)
-    over_seen_nodes<c>(setup.walls, setup.lattice, chunk, l, [&](const SeenNode<Space>& node) {
-      if (held_field) held_field[node.at] += load.held[l] * node.value();
-      if (c == Space::up) force_field[node.at] -= node.sign * load.weight[l] * node.value();
-    });
-}
-// NOLINTEND(readability-non-const-parameter)
-
-template <int c, class Space>
-void scatter_component(const Lattice<Space>& lattice, const SoilPoints<Space>& points, const Load& load,
-                       std::size_t first, int count, const ChunkWeights<Space>& chunk, GridFields<Space>& grid,
-                       double* held_field) {
-  constexpr int axes = Space::axes;
-  const auto& h = lattice.spacing;
-  double* mass_field = grid.soil_mass[c].data();
-  double* momentum_field = grid.soil_velocity[c].data();
-  double* force_field = grid.soil_force[c].data();
-  for (int l = 0; l < count; ++l) {
-    const std::size_t p = first + static_cast<std::size_t>(l);
-    const double m = load.inertia[l], v = -load.volume[l];
-    const SplineRow row = x_row<c>(chunk, l);
-    const Vec4 slope = c == 0 ? difference_row : row.derivative;
-    const auto affine = [&](int a) { return points.affine[c * axes + a][p]; };
-    const auto stress = [&](int a) { return points.stress[stress_index<Space>(c, a)][p]; };
-    const Vec4 mass_row = m * row.weight, held_row = load.held[l] * row.weight;
-    const Vec4 momentum_row = (m * points.velocity[c][p]) * row.weight + (m * h[0] * affine(0)) * row.offset;
-    const Vec4 momentum_y = (m * h[1] * affine(1)) * row.weight;
-    Vec4 force_row = (v * stress(0) / h[0]) * slope;
-    if (c == Space::up) force_row -= load.weight[l] * row.weight;
-    const Vec4 force_y = (v * stress(1) / h[1]) * row.weight;
-    Vec4 momentum_z{}, force_z{};
-    if constexpr (axes == 3) {
-      momentum_z = (m * h[2] * affine(axes - 1)) * row.weight;
-      force_z = (v * stress(axes - 1) / h[2]) * row.weight;
-    }
-    const std::ptrdiff_t base = stencil_base<c>(chunk, l);
-    over_rows<c>(chunk, lattice.stride, l,
-                 [&](std::ptrdiff_t at, double wy, double oy, double dy, double wz, double oz, double dz) {
-                   const std::ptrdiff_t node = base + at;
-                   store4(mass_field + node, load4(mass_field + node) + (wy * wz) * mass_row);
-                   if (held_field) store4(held_field + node, load4(held_field + node) + (wy * wz) * held_row);
-                   Vec4 q = load4(momentum_field + node) + (wy * wz) * momentum_row + (oy * wz) * momentum_y;
-                   Vec4 f = load4(force_field + node) + (wy * wz) * force_row + (dy * wz) * force_y;
-                   if constexpr (axes == 3) {
-                     q += (wy * oz) * momentum_z;
-                     f += (wy * dz) * force_z;
-                   }
-                   store4(momentum_field + node, q);
-                   store4(force_field + node, f);
-                 });
-  }
-}
-
-/// A point's volume to the cells of its own layer along axis c, by centre splines across: the volume over which the
-/// cell difference of component c is taken.
-template <int c, class Space>
-void scatter_weight(const Setup<Space>& setup, const double* volume, int count, const ChunkWeights<Space>& chunk,
-                    double* field) {
-  const auto& lattice = setup.lattice;
-  for (int l = 0; l < count; ++l) {
-    if (volume[l] == 0) continue;
-    const std::ptrdiff_t cell = cell_index(lattice, chunk, l);
-    if (const WallStencil<Space>* stencil = setup.walls.beside(cell); stencil != nullptr) {
-      for (int k = Space::axes == 3 ? -1 : 0; k <= (Space::axes == 3 ? 1 : 0); ++k)
-        for (int j = -1; j <= 1; ++j)
-          for (int i = -1; i <= 1; ++i) {
-            const int o[3] = {i, j, k};
-            double w = volume[l];
-            for (int a = 0; a < Space::axes; ++a) {
-              double weight[3], offset[3], derivative[3];
-              spline_weights(chunk.delta[a][0][l], weight, offset, derivative);
-              w *= a == c ? (o[a] == 0 ? 1.0 : 0.0) : weight[o[a] + 1];
-            }
-            const int number = (i + 1) + 3 * (j + 1) + (Space::axes == 3 ? 9 * (k + 1) : 0);
-            field[cell + stencil->cell[static_cast<std::size_t>(number)]] += w;
-          }
-      continue;
-    }
-    constexpr Vec4 own{0, 1, 0, 0};
-    const Vec4 row = volume[l] * (c == 0 ? own : centre_row(chunk.delta[0][0][l]).weight);
-    double* base = field + chunk.cell_base[l];
-    const auto across = [&](int a, int i) { return a == c ? (i == 1 ? 1.0 : 0.0) : chunk.weight[a][0][i][l]; };
-    for (int k = 0; k < (Space::axes == 3 ? 3 : 1); ++k)
-      for (int j = 0; j < 3; ++j) {
-        const double w = across(1, j) * (Space::axes == 3 ? across(Space::axes - 1, k) : 1);
-        double* at = base + j * lattice.stride[1] + (Space::axes == 3 ? k * lattice.stride[2] : 0);
-        store4(at, load4(at) + w * row);
-      }
-  }
-}
-
 }  // namespace
 
 template <class Space>
-double box_half(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p) {
+std::array<double, 3> box_half(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p) {
+  const auto& lattice = setup.lattice;
   const SoilMaterial& material = setup.materials[soil.material[p]];
   const double volume = soil.mass[p] / (material.grain_density * (1 - material.initial_porosity));
-  return std::min(0.5, half_edge<Space>(volume, setup.lattice.cell_volume()));
+  const std::array<int, 3> from = lattice.graded ? cell_of(lattice, reference_of(soil, p)) : std::array<int, 3>{};
+  const double half = half_edge<Space>(volume, lattice.cell_volume(from));
+  std::array<double, 3> halves{half, half, half};
+  if (lattice.graded) {
+    const std::array<int, 3> now = cell_of(lattice, position_of(soil, p));
+    for (int a = 0; a < Space::axes; ++a) halves[a] *= lattice.axis[a].width(from[a]) / lattice.axis[a].width(now[a]);
+  }
+  for (double& h : halves) h = std::min(0.5, h);
+  return halves;
 }
 
 template <class Space>
@@ -166,8 +55,8 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
-    use_cell_differences(chunk, count);
-    Load load;
+    use_cell_differences(lattice, chunk, count);
+    MixtureLoad load;
     double yielding[chunk_size], bulk[chunk_size];
     bool any_held = false;
     const bool walled = beside_walls(setup.walls, lattice, chunk, count);
@@ -175,13 +64,13 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
       const std::size_t p = first + static_cast<std::size_t>(l);
       const SoilMaterial& material = setup.materials[soil.material[p]];
       const double volume = bulk_volume(setup, soil, p), mass = soil.mass[p] + setup.water.density * soil.water[p];
-      const double stretched = inertia.step / (difference_cfl * lattice.smallest_spacing());
       bulk[l] = volume;
       const double open = setup.bodies.own_share(cell_index(lattice, chunk, l));
       load.volume[l] = open > 0 ? volume / open : volume;
       load.weight[l] = gravity * mass;
-      load.inertia[l] =
-          std::max(inertia.scaling * mass, volume * setup.pores[soil.material[p]].modulus * stretched * stretched);
+      load.inertia[l] = std::max(
+          inertia.scaling * mass,
+          needed_inertia(lattice, cell_places(chunk, l), volume, setup.pores[soil.material[p]].modulus, inertia.step));
       load.held[l] = material.fixed ? load.inertia[l] : 0;
       any_held = any_held || material.fixed;
       yielding[l] = material.fixed ? 0 : volume;
@@ -199,11 +88,11 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
     }
     over_components<Space>([&]<int c>() {
       double* held = any_held ? pores.held_mass[c].data() : nullptr;
-      if (walled)
-        scatter_beside<c>(setup, soil, load, first, count, chunk, grid, held);
-      else
-        scatter_component<c>(lattice, soil, load, first, count, chunk, grid, held);
-      scatter_weight<c>(setup, yielding, count, chunk, pores.weight[c].data());
+      if (walled) scatter_beside<c>(setup, soil, load, first, count, chunk, grid, held);
+      by_spacing(lattice, [&]<bool graded>() {
+        if (!walled) scatter_mixture<c, graded>(lattice, soil, load, first, count, chunk, grid, held);
+        scatter_weight<c, graded>(setup, yielding, count, chunk, pores.weight[c].data());
+      });
     });
     press_loads(setup, soil, first, count, bulk, time, grid.soil_force[Space::up].data());
   });
@@ -284,7 +173,7 @@ Motion gather_rates(const Setup<Space>& setup, const GridFields<Space>& grid, co
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
-    use_cell_differences(chunk, count);
+    use_cell_differences(lattice, chunk, count);
     const bool walled = beside_walls(setup.walls, lattice, chunk, count);
     Gathered<Space> gathered;
     double speed = 0;
@@ -292,7 +181,9 @@ Motion gather_rates(const Setup<Space>& setup, const GridFields<Space>& grid, co
       if (walled)
         gather_beside_walls<c, true, true>(setup.walls, lattice, chunk, count, grid.soil_velocity[c].data(), gathered);
       else
-        gather_component<c, true, false>(lattice, chunk, count, grid.soil_velocity[c].data(), gathered);
+        by_spacing(lattice, [&]<bool graded>() {
+          gather_component<c, true, graded>(lattice, chunk, count, grid.soil_velocity[c].data(), gathered);
+        });
       for (int l = 0; c == 0 && !walled && l < count; ++l) {
         const double* base = grid.soil_velocity[c].data() + stencil_base<c>(chunk, l);
         Vec4 sum{};
@@ -300,7 +191,7 @@ Motion gather_rates(const Setup<Space>& setup, const GridFields<Space>& grid, co
                      [&](std::ptrdiff_t at, double wy, double, double, double wz, double, double) {
                        sum += (wy * wz) * load4(base + at);
                      });
-        gathered.gradient[0][l] = sum_lanes(sum * difference_row);
+        gathered.gradient[0][l] = sum_lanes(sum * x_difference(lattice, chunk, l));
       }
       take_motion<c>(lattice, chunk, gathered, first, count, soil);
       for (int l = 0; l < count; ++l) {
@@ -337,11 +228,12 @@ void correct_dilation(const Setup<Space>& setup, const Tiling<Space>& tiling, co
                               [&](std::ptrdiff_t cell, double share) { pores.points_change[cell] += share * change; });
     }
   });
-  const double thin = 0.05 * lattice.cell_volume();
+  const double thin = 0.05;  // of a cell's volume
   for (std::size_t cell = 0; cell < pores.bulk.size(); ++cell)
-    pores.correction[cell] = pores.yielding[cell] > thin
-                                 ? (pores.volume_change[cell] - pores.points_change[cell]) / pores.yielding[cell]
-                                 : 0;
+    pores.correction[cell] =
+        pores.yielding[cell] > 0 && pores.yielding[cell] > thin * lattice.cell_volume(static_cast<std::ptrdiff_t>(cell))
+            ? (pores.volume_change[cell] - pores.points_change[cell]) / pores.yielding[cell]
+            : 0;
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       if (!yields(p)) continue;
@@ -430,8 +322,8 @@ void move_points(const Setup<Space>& setup, double dt, const Tiling<Space>& tili
       const std::array<double, 3> from = position_of(soil, p);
       for (int a = 0; a < Space::axes; ++a)
         soil.position[a][p] = std::clamp(soil.position[a][p] + dt * soil.velocity[a][p],
-                                         (setup.soil_box.low[a] + wall_gap) * lattice.spacing[a],
-                                         (setup.soil_box.high[a] - wall_gap) * lattice.spacing[a]);
+                                         lattice.axis[a].at_place(setup.soil_box.low[a] + wall_gap),
+                                         lattice.axis[a].at_place(setup.soil_box.high[a] - wall_gap));
       if (setup.bodies.any()) {
         const auto cell = cell_of(lattice, position_of(soil, p));
         if (setup.bodies.near(lattice.index(cell[0], cell[1], cell[2]))) leave_body(setup, setup.soil_box, dt, p, soil);
@@ -446,7 +338,7 @@ void move_points(const Setup<Space>& setup, double dt, const Tiling<Space>& tili
 }
 
 #define POLDER_UNSATURATED_TRANSFER(Space)                                                                             \
-  template double box_half(const Setup<Space>&, const SoilPoints<Space>&, std::size_t);                                \
+  template std::array<double, 3> box_half(const Setup<Space>&, const SoilPoints<Space>&, std::size_t);                 \
   template void mixture_to_grid(const Setup<Space>&, const SoilPoints<Space>&, const Tiling<Space>&, InertiaRule,      \
                                 double, double, GridFields<Space>&, PoreFields<Space>&, Team&);                        \
   template Motion strain_points(const Setup<Space>&, double, const GridFields<Space>&, const Tiling<Space>&,           \

@@ -8,10 +8,10 @@
 
 namespace polder {
 
-/// Half the edge, in spacings, of the box over which a point counts for cells: that of its volume at the start, so that
-/// its shares change by its motion alone.
+/// Half the edges, in cells, of the box over which a point counts for cells: that of its volume at the start, so that
+/// its shares change by its motion alone. It has the proportions of the cell in which the point's displacement began.
 template <class Space>
-double box_half(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p);
+std::array<double, 3> box_half(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p);
 
 /// Inertia of a point, kg: that of soil and water times `scaling`, or what soil of modulus M needs at the step:
 /// V M (Δt/(cfl h))².

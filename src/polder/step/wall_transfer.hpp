@@ -50,8 +50,10 @@ void over_seen_nodes(const ThinWalls<Space>& walls, const Lattice<Space>& lattic
     for (int a = 0; a < axes; ++a) spline_weights(chunk.delta[a][a == c][l], weight[a], offset[a], derivative[a]);
   }
   const int shift = chunk.face_shift[c][l] != 0;
-  if constexpr (own_difference)
-    for (int i = 0; i < 3; ++i) derivative[c][i] = i == 1 - shift ? -1 : i == 2 - shift ? 1 : 0;
+  if constexpr (own_difference) {
+    const double step = lattice.spacing[c] / lattice.axis[c].width(chunk.cell[c][l]);
+    for (int i = 0; i < 3; ++i) derivative[c][i] = i == 1 - shift ? -step : i == 2 - shift ? step : 0;
+  }
   for (int k = 0; k < (axes == 3 ? 3 : 1); ++k)
     for (int j = 0; j < 3; ++j)
       for (int i = 0; i < 3; ++i) {
