@@ -317,9 +317,6 @@ void check_monitors(const Checking& c) {
     if (wall && monitor.wall >= 0 && c.model.walls[static_cast<std::size_t>(monitor.wall)].polygon.empty())
       report(c.diagnostics, f.place_of("wall"), f.path_of("wall"), "is a thin wall, whose load is not computed",
              "give the wall as a body, by a polygon or a box");
-    if (wall && c.model.unsaturated)
-      report(c.diagnostics, f.place_of("kind"), f.path_of("kind"),
-             "forces on walls are not available in the unsaturated formulation yet", "leave it out");
     if (!integral && !wall && !f.is_given("at"))
       report(c.diagnostics, f.place, f.path_of("at"), "missing", "say where: at = [[\"1 m\", \"0.5 m\"]]");
     if (monitor.kind == MonitorKind::section && f.find("at") && monitor.at.size() != 2)

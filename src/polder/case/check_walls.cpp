@@ -82,10 +82,6 @@ void check_motion(std::size_t number, const Sections& sections, const Model& mod
     return;
   }
   if (!moves(wall)) return;
-  if (model.unsaturated)
-    report(diagnostics, f.place_of(key), f.path_of(key),
-           "bodies that move are not available in the unsaturated formulation yet",
-           "set model.formulation = \"double-point\", or leave it out");
   if (model.periodic) return;  // has no walls, which has been reported
   const std::size_t up = model.space == SpaceKind::solid ? 2 : 1;
   const Bounds extent = bounds(wall.polygon);

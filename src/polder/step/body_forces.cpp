@@ -3,7 +3,8 @@
 namespace polder {
 
 template <class Space>
-std::vector<BodyForce> body_forces(const Setup<Space>& setup, double dt, const GridFields<Space>& grid) {
+std::vector<BodyForce> body_forces(const Setup<Space>& setup, double dt, const GridFields<Space>& grid,
+                                   const PoreFields<Space>* pores) {
   constexpr int up = Space::up;
   const auto& lattice = setup.lattice;
   const auto& sections = setup.bodies.sections();
@@ -17,7 +18,9 @@ std::vector<BodyForce> body_forces(const Setup<Space>& setup, double dt, const G
     for (int level = 0; level < lattice.cells[up]; ++level)
       for (int i = 0; i < lattice.cells[0]; ++i) {
         const std::ptrdiff_t cell = Space::axes == 3 ? lattice.index(i, k, level) : lattice.index(i, level);
-        if (!grid.wet[cell] || !setup.bodies.near(cell)) continue;
+        if (!(pores ? pores->active[cell] && pores->host[cell] < 0 : grid.wet[cell]) || !setup.bodies.near(cell))
+          continue;
+        const double filled = pores ? pores->saturation[cell] : 1;
         // ∫ n dA of the bodies' surfaces in the cell, out of them, is that of its open faces, out of the cell
         Point2 area{};
         for (const int a : {0, up})
@@ -30,19 +33,23 @@ std::vector<BodyForce> body_forces(const Setup<Space>& setup, double dt, const G
             0.5 * lattice.cell_volume(cell) *
                 (setup.bodies.open_face(up, cell + lattice.stride[up]) + setup.bodies.open_face(up, cell)) -
             lattice.cell_volume(cell) * setup.bodies.open_cell(cell);
-        forces[at.section].water[1] += setup.water.density * setup.gravity * rises;
+        forces[at.section].water[1] += filled * setup.water.density * setup.gravity * rises;
         for (std::size_t a = 0; a < 2; ++a) {
-          forces[at.section].water[a] -= grid.pressure[cell] * area[a];
+          forces[at.section].water[a] -= filled * grid.pressure[cell] * area[a];
           forces[at.section].displaced += at.velocity[a] * area[a];
         }
       }
+  for (BodyForce& force : forces)
+    for (std::size_t k = 0; pores && k < 2; ++k) force.soil[k] -= force.water[k];
   for (std::size_t s = 0; s < forces.size(); ++s)
     for (std::size_t k = 0; k < 2; ++k)
       forces[s].power -= (forces[s].soil[k] + forces[s].water[k]) * sections[s].velocity[k];
   return forces;
 }
 
-template std::vector<BodyForce> body_forces(const Setup<PlaneStrain>&, double, const GridFields<PlaneStrain>&);
-template std::vector<BodyForce> body_forces(const Setup<Solid>&, double, const GridFields<Solid>&);
+template std::vector<BodyForce> body_forces(const Setup<PlaneStrain>&, double, const GridFields<PlaneStrain>&,
+                                            const PoreFields<PlaneStrain>*);
+template std::vector<BodyForce> body_forces(const Setup<Solid>&, double, const GridFields<Solid>&,
+                                            const PoreFields<Solid>*);
 
 }  // namespace polder

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "polder/step/fields.hpp"
+#include "polder/step/pore_fields.hpp"
 #include "polder/step/setup.hpp"
 
 namespace polder {
@@ -17,7 +18,9 @@ struct BodyForce {
 
 /// After a step of `dt`, by its pressures and `grid.body_impulse`. Within a cell the pressure
 /// rises downwards as in still water, so that the force of still water is the weight of what the body displaces.
+/// `pores`, in the unsaturated formulation: their water presses with S p, which is part of `grid.body_impulse`.
 template <class Space>
-std::vector<BodyForce> body_forces(const Setup<Space>& setup, double dt, const GridFields<Space>& grid);
+std::vector<BodyForce> body_forces(const Setup<Space>& setup, double dt, const GridFields<Space>& grid,
+                                   const PoreFields<Space>* pores = nullptr);
 
 }  // namespace polder

@@ -139,10 +139,13 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
     const double above = over_centre(upwards, top.height, top.level);  // of the ground
     const SeepageCondition* given = ground[column] >= 0 ? &setup.pore_water[ground[column]] : nullptr;
     const Kind kind = given ? given->kind : Kind::seepage;
-    if (kind != Kind::closed) {
-      PoreExit exit{upper, way(upper, Space::up, std::max(above, 0.25 * upwards.width(top.level))), weight * above, 0};
+    const double open = setup.bodies.open_face(Space::up, upper + lattice.stride[Space::up]);  // no body lies on it
+    if (kind != Kind::closed && open > 0) {
+      PoreExit exit{upper, open * way(upper, Space::up, std::max(above, 0.25 * upwards.width(top.level))),
+                    weight * above, 0};
       const OnLine at = given ? on_line(given->line, x) : OnLine{};
-      if (kind == Kind::rain) exit.least = -given->rate(time) * at.stretch * lattice.face_area(Space::up, lowest);
+      if (kind == Kind::rain)
+        exit.least = -open * given->rate(time) * at.stretch * lattice.face_area(Space::up, lowest);
       if (kind == Kind::head) {
         const double depth = head_of(*given, time, at.share) - top.height;
         if (depth > 0) exit.level += weight * depth, exit.least = unbounded;
@@ -206,6 +209,7 @@ bool set_standing_water(const Setup<Space>& setup, const std::vector<int>& groun
     const double level = head ? head_of(*given, time, on_line(given->line, x).share)
                               : top.height + cover->pressure[column] / std::max(weight, 1e-300);
     if (top.level < 0 || level <= top.height) return;
+    if (setup.bodies.closed(Space::up, lowest + (top.level + 1) * lattice.stride[Space::up])) return;
     any = true;
     for (int k = std::max(0, top.level - uneven_depth); k < lattice.cells[Space::up] && upwards.centre(k) < level; ++k)
       pores.over_ground[lowest + k * lattice.stride[Space::up]] = weight * (level - upwards.centre(k));

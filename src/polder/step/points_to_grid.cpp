@@ -274,11 +274,12 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
       volume = pressed;
     }
     const double* mass = soil.mass.data() + first;
+    const auto over = [&](int l, int) { return volume[l]; };
     over_components<Space>([&]<int c>() {
       double *masses = grid.soil_mass[c].data(), *momenta = grid.soil_velocity[c].data();
       double* forces = grid.soil_force[c].data();
       if (walled)
-        return scatter_beside_walls<c, true>(setup.walls, lattice, soil, mass, volume, first, count, chunk, masses,
+        return scatter_beside_walls<c, true>(setup.walls, lattice, soil, mass, over, first, count, chunk, masses,
                                              momenta, forces);
       Contribution<Space> contribution;
       contribution.template take_momentum<c>(lattice, soil, mass, first, count);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polder/step/cut_cells.hpp"
 #include "polder/step/face_loop.hpp"
 #include "polder/step/pore_curves.hpp"
 #include "polder/step/pore_flow.hpp"
@@ -31,7 +32,8 @@ void smooth_weights(const Setup<Space>& setup, PoreFields<Space>& pores) {
   const auto& lattice = setup.lattice;
   std::vector<std::uint8_t> full(static_cast<std::size_t>(lattice.size), 0), next;
   over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
-    full[cell] = pores.yielding[cell] > 0.9 * lattice.cell_volume(place);
+    full[cell] = setup.bodies.covered(cell) ||
+                 pores.yielding[cell] > 0.9 * lattice.cell_volume(place) * setup.bodies.open_cell(cell);
   });
   for (int a = 0; a < Space::axes; ++a) {
     next = full;
@@ -122,8 +124,10 @@ void complete_weights(const Setup<Space>& setup, PoreFields<Space>& pores) {
       const double full = full_weight(setup.lattice, a, place);
       if (setup.bodies.covered(cell))
         w = 0;
-      else if (body > 0 && w > hardly * full)
-        w = std::min(full, w + body * full);
+      else if (body > 0 && w > hardly * full) {
+        const double across = lies_across(setup.bodies, setup.lattice, a, cell);
+        w = w == full ? full * (1 - body * (1 - across)) : std::min(full, w + across * body * full);
+      }
     }
   });
 }

@@ -154,6 +154,15 @@ void Stepper<Space>::resample() {
   }
 }
 
+/// Whether the forces on bodies are asked for.
+template <class Space>
+bool Stepper<Space>::begin_weighing() {
+  const bool weighs = setup.bodies.any() && (setup.bodies.moves() || setup.weighs_bodies);
+  grid.body_impulse.assign(weighs ? setup.bodies.sections().size() : 0, {0, 0});
+  body_force.clear();
+  return weighs;
+}
+
 template <class Space>
 StepReport Stepper<Space>::advance_unsaturated(const StepControl& control, double dt) {
   StepReport report;
@@ -164,8 +173,10 @@ StepReport Stepper<Space>::advance_unsaturated(const StepControl& control, doubl
   watch.lap(times.volume);
   prepare();
   watch.lap(times.sort);
+  const bool weighs = begin_weighing();
   report.pressure = unsaturated->advance(setup, control, dt, soil_tiling_, soil, grid, solver_, team, motion, exchanged,
                                          open_water ? &open_water->cover : nullptr);
+  if (weighs) body_force = body_forces(setup, dt, grid, &unsaturated->pores);
   drift_soil += motion.drift;
   if (open_water) {
     open_water->follow(setup, unsaturated->pores.bulk, exchanged);
@@ -246,11 +257,9 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   if (control.local_damping > 0) damp_locally(setup, control.local_damping, grid, team);
   extrapolate_water(setup, grid, grid.water_velocity, true, grid.layers, team);
   extrapolate_soil(setup, grid, team);
-  const bool weighs = setup.bodies.any() && (setup.bodies.moves() || setup.weighs_bodies);
-  grid.body_impulse.assign(weighs ? setup.bodies.sections().size() : 0, {0, 0});
+  const bool weighs = begin_weighing();
   if (setup.bodies.any()) meet_bodies(setup, grid);
   if (setup.bodies.moves()) water_meets_bodies(setup, grid);
-  body_force.clear();
   if (weighs) body_force = body_forces(setup, dt, grid);
   if (!setup.friction.empty()) rub_along_walls(setup, dt, soil, grid);
   for (int c = 0; c < Space::axes; ++c) {

@@ -105,6 +105,7 @@ class Stepper {
   void prepare();  // sorts what has drifted and finds the active rows
   void resample();
   void solve_beside(double dt, const std::vector<WellFlow>& wells, StepReport& report);
+  bool begin_weighing();
   StepReport advance_unsaturated(const StepControl& control, double dt);
 
   Tiling<Space> soil_tiling_, water_tiling_;

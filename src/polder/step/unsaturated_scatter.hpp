@@ -33,20 +33,23 @@ Vec4 x_difference(const Lattice<Space>& lattice, const ChunkWeights<Space>& chun
 }
 
 /// What a point brings to the faces.
+template <int axes>
 struct MixtureLoad {
   double inertia[chunk_size], weight[chunk_size], held[chunk_size];
-  double volume[chunk_size];  // over which the stress acts: in a cell that a body cuts, as if it filled the cell
+  double volume[axes][chunk_size];  // over which the stress acts, by axis of the derivative: across the surface of a
+                                    // body that cuts the cell as if it filled the cell
 };
 
 /// scatter_mixture() beside thin walls.
 // NOLINTBEGIN(readability-non-const-parameter): written in the lambda
 template <int c, class Space>
-void scatter_beside(const Setup<Space>& setup, const SoilPoints<Space>& points, const MixtureLoad& load,
+void scatter_beside(const Setup<Space>& setup, const SoilPoints<Space>& points, const MixtureLoad<Space::axes>& load,
                     std::size_t first, int count, const ChunkWeights<Space>& chunk, GridFields<Space>& grid,
                     double* held_field) {
   double* force_field = grid.soil_force[c].data();
-  scatter_beside_walls<c, true, true>(setup.walls, setup.lattice, points, load.inertia, load.volume, first, count,
-                                      chunk, grid.soil_mass[c].data(), grid.soil_velocity[c].data(), force_field);
+  const auto volume = [&](int l, int a) { return load.volume[a][l]; };
+  scatter_beside_walls<c, true, true>(setup.walls, setup.lattice, points, load.inertia, volume, first, count, chunk,
+                                      grid.soil_mass[c].data(), grid.soil_velocity[c].data(), force_field);
   for (int l = 0; l < count; ++l)
     over_seen_nodes<c>(setup.walls, setup.lattice, chunk, l, [&](const SeenNode<Space>& node) {
       if (held_field) held_field[node.at] += load.held[l] * node.value();
@@ -56,9 +59,9 @@ void scatter_beside(const Setup<Space>& setup, const SoilPoints<Space>& points, 
 // NOLINTEND(readability-non-const-parameter)
 
 template <int c, bool graded, class Space>
-void scatter_mixture(const Lattice<Space>& lattice, const SoilPoints<Space>& points, const MixtureLoad& load,
-                     std::size_t first, int count, const ChunkWeights<Space>& chunk, GridFields<Space>& grid,
-                     double* held_field) {
+void scatter_mixture(const Lattice<Space>& lattice, const SoilPoints<Space>& points,
+                     const MixtureLoad<Space::axes>& load, std::size_t first, int count,
+                     const ChunkWeights<Space>& chunk, GridFields<Space>& grid, double* held_field) {
   constexpr int axes = Space::axes;
   const auto& h = lattice.spacing;
   double* mass_field = grid.soil_mass[c].data();
@@ -66,7 +69,8 @@ void scatter_mixture(const Lattice<Space>& lattice, const SoilPoints<Space>& poi
   double* force_field = grid.soil_force[c].data();
   for (int l = 0; l < count; ++l) {
     const std::size_t p = first + static_cast<std::size_t>(l);
-    const double m = load.inertia[l], v = -load.volume[l];
+    const double m = load.inertia[l];
+    const auto v = [&](int a) { return -load.volume[a][l]; };
     const SplineRow row = x_row<c, graded>(chunk, l);
     const Vec4 slope = c == 0 ? x_difference(lattice, chunk, l) : row.derivative;
     const auto affine = [&](int a) { return points.affine[c * axes + a][p]; };
@@ -74,13 +78,13 @@ void scatter_mixture(const Lattice<Space>& lattice, const SoilPoints<Space>& poi
     const Vec4 mass_row = m * row.weight, held_row = load.held[l] * row.weight;
     const Vec4 momentum_row = (m * points.velocity[c][p]) * row.weight + (m * h[0] * affine(0)) * row.offset;
     const Vec4 momentum_y = (m * h[1] * affine(1)) * row.weight;
-    Vec4 force_row = (v * stress(0) / h[0]) * slope;
+    Vec4 force_row = (v(0) * stress(0) / h[0]) * slope;
     if (c == Space::up) force_row -= load.weight[l] * row.weight;
-    const Vec4 force_y = (v * stress(1) / h[1]) * row.weight;
+    const Vec4 force_y = (v(1) * stress(1) / h[1]) * row.weight;
     Vec4 momentum_z{}, force_z{};
     if constexpr (axes == 3) {
       momentum_z = (m * h[2] * affine(axes - 1)) * row.weight;
-      force_z = (v * stress(axes - 1) / h[2]) * row.weight;
+      force_z = (v(axes - 1) * stress(axes - 1) / h[2]) * row.weight;
     }
     const std::ptrdiff_t base = stencil_base<c>(chunk, l);
     over_rows<c>(chunk, lattice.stride, l,

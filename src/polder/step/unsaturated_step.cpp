@@ -108,8 +108,9 @@ double UnsaturatedStep<Space>::predict(const Setup<Space>& setup, const StepCont
         if (pores.leader[c][f] != static_cast<std::int8_t>(Leader::itself)) continue;
         double force = grid.soil_force[c][f] + pressure_force(lattice, pores, grid.pressure, c, f);
         if (standing_water) force += standing_water_force(lattice, pores, weight, c, f);
-        if (!setup.bodies.inside(c, f)) sum += std::abs(force);
-        if (v != 0) force -= control.local_damping * std::abs(force) * (v > 0 ? 1 : -1);
+        const bool met = setup.bodies.inside(c, f);  // by a body, which takes what presses on it as it is
+        if (!met) sum += std::abs(force);
+        if (v != 0 && !met) force -= control.local_damping * std::abs(force) * (v > 0 ? 1 : -1);
         const double damped = 1 / (1 + control.damping * dt);
         grid.soil_velocity[c][f] = (v + dt * force / m) * damped;
         grid.soil_response[c][f] = dt / m * damped;

@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "polder/step/chunk_loop.hpp"
+#include "polder/step/cut_cells.hpp"
 #include "polder/step/gather.hpp"
 #include "polder/step/leave_body.hpp"
 #include "polder/step/loads.hpp"
@@ -56,7 +57,7 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
     use_cell_differences(lattice, chunk, count);
-    MixtureLoad load;
+    MixtureLoad<Space::axes> load;
     double yielding[chunk_size], bulk[chunk_size];
     bool any_held = false;
     const bool walled = beside_walls(setup.walls, lattice, chunk, count);
@@ -65,8 +66,8 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
       const SoilMaterial& material = setup.materials[soil.material[p]];
       const double volume = bulk_volume(setup, soil, p), mass = soil.mass[p] + setup.water.density * soil.water[p];
       bulk[l] = volume;
-      const double open = setup.bodies.own_share(cell_index(lattice, chunk, l));
-      load.volume[l] = open > 0 ? volume / open : volume;
+      for (int a = 0; a < Space::axes; ++a)
+        load.volume[a][l] = volume * pressing_part(setup.bodies, lattice, a, cell_index(lattice, chunk, l));
       load.weight[l] = gravity * mass;
       load.inertia[l] = std::max(
           inertia.scaling * mass,
@@ -163,6 +164,30 @@ void pores_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
 
 namespace {
 
+/// Rates of strain across the surface of a body: of what it leaves of a cell. Soil in a cell that counts as covered
+/// stretches with that of the cell to which it belongs.
+template <class Space>
+void strain_beside_bodies(const Setup<Space>& setup, const GridFields<Space>& grid, const ChunkWeights<Space>& chunk,
+                          std::size_t first, int count, PoreFields<Space>& pores) {
+  const auto& lattice = setup.lattice;
+  for (int l = 0; l < count; ++l) {
+    const std::ptrdiff_t own = cell_index(lattice, chunk, l);
+    if (!setup.bodies.near(own)) continue;
+    const bool covered = setup.bodies.covered(own);
+    const std::ptrdiff_t cell = covered ? setup.bodies.open_neighbour(own) : own;
+    for (int a = 0; a < Space::axes; ++a) {
+      double& rate = pores.gradient[a * Space::axes + a][first + static_cast<std::size_t>(l)];
+      const double across = lies_across(setup.bodies, lattice, a, cell);
+      if (across == 0) continue;
+      if (covered)
+        rate += across * ((grid.soil_velocity[a][cell + lattice.stride[a]] - grid.soil_velocity[a][cell]) /
+                              lattice.axis[a].width(lattice.place(cell, a)) -
+                          rate);
+      rate /= thickness(setup.bodies, lattice, a, cell, setup.bodies.open_cell(cell));
+    }
+  }
+}
+
 /// Gathers velocities and rates of strain; a point's own dilation goes to the cells that it counts for.
 template <class Space>
 Motion gather_rates(const Setup<Space>& setup, const GridFields<Space>& grid, const Tiling<Space>& tiling,
@@ -201,6 +226,7 @@ Motion gather_rates(const Setup<Space>& setup, const GridFields<Space>& grid, co
           pores.gradient[c * Space::axes + a][p] = gathered.gradient[a][l] / lattice.spacing[a];
       }
     });
+    if (setup.bodies.any()) strain_beside_bodies(setup, grid, chunk, first, count, pores);
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       double own = 0;
       for (int a = 0; a < Space::axes; ++a) own += pores.gradient[a * Space::axes + a][p];

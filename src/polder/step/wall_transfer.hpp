@@ -77,11 +77,12 @@ void over_seen_nodes(const ThinWalls<Space>& walls, const Lattice<Space>& lattic
       }
 }
 
-/// Mass and momentum of component c; with `with_force`, the internal force too.
+/// Mass and momentum of component c; with `with_force`, the internal force too, of stress over volume(number of the
+/// point in the chunk, axis of the derivative).
 // NOLINTBEGIN(readability-non-const-parameter): they are written in the lambda
-template <int c, bool with_force, bool own_difference = false, class Space, class Points>
+template <int c, bool with_force, bool own_difference = false, class Space, class Points, class Volume>
 void scatter_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& lattice, const Points& points,
-                          const double* mass, const double* volume, std::size_t first, int count,
+                          const double* mass, const Volume& volume, std::size_t first, int count,
                           const ChunkWeights<Space>& chunk, double* mass_field, double* momentum_field,
                           double* force_field) {
   constexpr int axes = Space::axes;
@@ -95,7 +96,7 @@ void scatter_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& l
       if constexpr (with_force) {
         double force = 0;
         for (int a = 0; a < axes; ++a)
-          force -= volume[l] * points.stress[stress_index<Space>(c, a)][p] * node.slope(a) / lattice.spacing[a];
+          force -= volume(l, a) * points.stress[stress_index<Space>(c, a)][p] * node.slope(a) / lattice.spacing[a];
         force_field[node.at] += node.sign * force;
       }
     });
