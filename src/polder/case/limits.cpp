@@ -52,9 +52,6 @@ void check_unsaturated_limits(const Sections& sections, const Model& model, Diag
         refuse(sections.boundaries[i], "water", "water conditions of a [[boundary]] in 3d are",
                "give them by a [[seepage_boundary]]");
   }
-  for (std::size_t i = 0; i < model.boundaries.size(); ++i)
-    if (model.boundaries[i].soil == SoilCondition::absorbing)
-      refuse(sections.boundaries[i], "soil", "absorbing sides are", "set soil = \"roller\"");
 }
 
 }  // namespace

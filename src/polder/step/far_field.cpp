@@ -84,6 +84,46 @@ void know_far_field(const Setup<Space>& setup, const SoilPoints<Space>& soil, do
 }
 
 template <class Space>
+void know_far_ground(const Setup<Space>& setup, const SoilPoints<Space>& soil, const PoreFields<Space>& pores,
+                     const std::function<double(int, std::ptrdiff_t)>& at_rest, GridFields<Space>& grid) {
+  const auto sides = far_sides(setup);
+  const auto ground = ground_beside(setup, sides, soil);
+  for (const OpenSide& side : sides)
+    over_side(setup.lattice, side,
+              [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>&) {
+                grid.far_force[side.axis][face] = -at_rest(side.axis, face);
+                const Ground& g = ground.at(inside);
+                if (g.volume <= 0 || pores.bulk[inside] <= 0) return;
+                const double density =
+                    g.mass / g.volume + setup.water.density * pores.water[inside] / pores.bulk[inside];
+                const double S = pores.saturation[inside];
+                const double water = pores.storage[inside] > 0 ? S * S * pores.bulk[inside] / pores.storage[inside] : 0;
+                grid.far_impedance[0][outside] = std::sqrt(density * (g.stiffness / g.volume + water));
+                grid.far_impedance[1][outside] = std::sqrt(density * g.shear / g.volume);
+              });
+  grid.far_is_known = 1;
+}
+
+template <class Space>
+double far_dashpot(const Setup<Space>& setup, const GridFields<Space>& grid, int c, std::array<int, 3> at) {
+  const auto& lattice = setup.lattice;
+  const bool high = at[c] == lattice.cells[c], end = high || at[c] == 0;
+  at[c] -= high;
+  const std::ptrdiff_t cell = lattice.index(at[0], at[1], at[2]);
+  double sum = 0;
+  for (int a = 0; a < Space::axes; ++a)
+    for (const int side : {0, 1}) {
+      if (!setup.absorbs(a, side) || at[a] != (side == 0 ? 0 : lattice.cells[a] - 1)) continue;
+      if (a == c && side != static_cast<int>(high)) continue;
+      if (a == c && !end) continue;
+      const std::ptrdiff_t outside = side == 0 ? cell - lattice.stride[a] : cell + lattice.stride[a];
+      const double half = a != c && end ? 0.5 : 1;  // of the face, where it lies on another side
+      sum += half * grid.far_impedance[a != c][outside] * lattice.face_area(a, cell);
+    }
+  return sum;
+}
+
+template <class Space>
 void prepare_far_field(const Setup<Space>& setup, GridFields<Space>& grid) {
   for (const OpenSide& side : far_sides(setup))
     over_side(setup.lattice, side,
@@ -120,6 +160,9 @@ double far_work(const Setup<Space>& setup, const GridFields<Space>& grid, double
 #define POLDER_FAR_FIELD(Space)                                                                            \
   template std::vector<OpenSide> far_sides(const Setup<Space>&);                                           \
   template void know_far_field(const Setup<Space>&, const SoilPoints<Space>&, double, GridFields<Space>&); \
+  template void know_far_ground(const Setup<Space>&, const SoilPoints<Space>&, const PoreFields<Space>&,   \
+                                const std::function<double(int, std::ptrdiff_t)>&, GridFields<Space>&);    \
+  template double far_dashpot(const Setup<Space>&, const GridFields<Space>&, int, std::array<int, 3>);     \
   template void prepare_far_field(const Setup<Space>&, GridFields<Space>&);                                \
   template void close_far_field(const Setup<Space>&, GridFields<Space>&);                                  \
   template double far_work(const Setup<Space>&, const GridFields<Space>&, double);

@@ -3,10 +3,12 @@
 // dashpots of the waves' impedances (Lysmer & Kuhlemeyer 1969), Z = ρ c, c = √(M/ρ) across the side and √(G/ρ) along
 // it. Grains and water move as one on such a side; M has the stiffness of the pore water where there is some. In
 // initial stages the sides are smooth walls.
+#include <functional>
 #include <vector>
 
 #include "polder/points/point_sets.hpp"
 #include "polder/step/fields.hpp"
+#include "polder/step/pore_fields.hpp"
 #include "polder/step/setup.hpp"
 
 namespace polder {
@@ -19,6 +21,16 @@ std::vector<OpenSide> far_sides(const Setup<Space>& setup);
 /// pressures of the last step.
 template <class Space>
 void know_far_field(const Setup<Space>& setup, const SoilPoints<Space>& soil, double gravity, GridFields<Space>& grid);
+
+/// The same in the unsaturated formulation, where faces move with one velocity. `at_rest(axis, face)`: force on a face,
+/// N, along the axis. Needs the cells' volumes and storages.
+template <class Space>
+void know_far_ground(const Setup<Space>& setup, const SoilPoints<Space>& soil, const PoreFields<Space>& pores,
+                     const std::function<double(int, std::ptrdiff_t)>& at_rest, GridFields<Space>& grid);
+
+/// N s/m: the dashpots on the face of component c at this place, of the sides that it lies on or beside.
+template <class Space>
+double far_dashpot(const Setup<Space>& setup, const GridFields<Space>& grid, int c, std::array<int, 3> at);
 
 /// The pressures beyond the sides, for the projection. After water_to_grid().
 template <class Space>

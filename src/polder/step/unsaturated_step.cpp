@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "polder/case/geometry.hpp"
 #include "polder/step/body_contact.hpp"
 #include "polder/step/chunk.hpp"
 #include "polder/step/face_loop.hpp"
 #include "polder/step/face_predictor.hpp"
+#include "polder/step/far_field.hpp"
 #include "polder/step/pore_curves.hpp"
 #include "polder/step/projection.hpp"
 #include "polder/step/soil_volume.hpp"
@@ -86,6 +86,7 @@ template <class Space>
 double UnsaturatedStep<Space>::predict(const Setup<Space>& setup, const StepControl& control, double dt,
                                        bool standing_water, GridFields<Space>& grid, Team& team) {
   const double weight = setup.water.density * setup.gravity;
+  const bool far_field = control.event && setup.any_absorbs();
   const auto& lattice = setup.lattice;
   std::vector<double> row_sum(static_cast<std::size_t>(lattice.size), 0.0);
   double unbalanced = 0;
@@ -98,7 +99,9 @@ double UnsaturatedStep<Space>::predict(const Setup<Space>& setup, const StepCont
         const int at = place[c] + (c == 0 ? i : 0);
         const double m = grid.soil_mass[c][f];
         grid.soil_response[c][f] = grid.soil_before[c][f] = 0;
-        const bool wall = at <= setup.soil_box.low[c] || at >= setup.soil_box.high[c] || setup.walls.blocked(c, f);
+        const bool side = at <= setup.soil_box.low[c] || at >= setup.soil_box.high[c];
+        const bool far = side && far_field && setup.absorbs(c, at > 0);
+        const bool wall = (side && !far) || setup.walls.blocked(c, f);
         if (!(m > 0) || wall || pores.held_mass[c][f] > 0.5 * m) {
           grid.soil_velocity[c][f] = 0;
           continue;
@@ -108,10 +111,13 @@ double UnsaturatedStep<Space>::predict(const Setup<Space>& setup, const StepCont
         if (pores.leader[c][f] != static_cast<std::int8_t>(Leader::itself)) continue;
         double force = grid.soil_force[c][f] + pressure_force(lattice, pores, grid.pressure, c, f);
         if (standing_water) force += standing_water_force(lattice, pores, weight, c, f);
+        if (far) force += grid.far_force[c][f];
         const bool met = setup.bodies.inside(c, f);  // by a body, which takes what presses on it as it is
         if (!met) sum += std::abs(force);
         if (v != 0 && !met) force -= control.local_damping * std::abs(force) * (v > 0 ? 1 : -1);
-        const double damped = 1 / (1 + control.damping * dt);
+        double resisted = 1 + control.damping * dt;
+        if (far_field) resisted += dt / m * far_dashpot(setup, grid, c, {place[0] + i, place[1], place[2]});
+        const double damped = 1 / resisted;
         grid.soil_velocity[c][f] = (v + dt * force / m) * damped;
         grid.soil_response[c][f] = dt / m * damped;
       }
@@ -262,66 +268,6 @@ void UnsaturatedStep<Space>::show_water(const Setup<Space>& setup, GridFields<Sp
 }
 
 template <class Space>
-double UnsaturatedStep<Space>::pressure_at(const Setup<Space>& setup, const GridFields<Space>& grid,
-                                           const std::array<double, 3>& x) const {
-  constexpr int up = Space::up;
-  const auto& lattice = setup.lattice;
-  const double weight = setup.water.density * setup.gravity;
-  const auto own = cell_of(lattice, x);
-  const std::ptrdiff_t own_cell = lattice.index(own[0], own[1], own[2]);
-  const WallStencil<Space>* stencil = setup.walls.beside(own_cell);
-  const auto seen = [&](std::ptrdiff_t cell) {  // on the same side of thin walls
-    return stencil == nullptr || std::find(stencil->cell.begin(), stencil->cell.end(),
-                                           static_cast<std::int32_t>(cell - own_cell)) != stencil->cell.end();
-  };
-  std::array<int, 3> low{0, 0, 0};
-  std::array<double, 3> over{0, 0, 0};  // of the centre of that cell, cells
-  for (int a = 0; a < Space::axes; ++a) {
-    const GridAxis& axis = lattice.axis[a];
-    if (axis.graded()) {
-      low[a] = x[a] < axis.centre(own[a]) ? own[a] - 1 : own[a];
-      over[a] = (x[a] - axis.centre(low[a])) / axis.gap(low[a] + 1);
-      continue;
-    }
-    const double place = x[a] / lattice.spacing[a] - 0.5;
-    low[a] = static_cast<int>(std::floor(place));
-    over[a] = place - low[a];
-  }
-  double sum = 0, shares = 0;
-  for (int corner = 0; corner < (1 << up); ++corner) {  // columns of cells around
-    std::array<int, 3> cell = low;
-    double share = 1;
-    for (int a = 0; a < up; ++a) {
-      const int high = corner >> a & 1;
-      cell[a] = std::clamp(low[a] + high, 0, lattice.cells[a] - 1);
-      share *= high ? over[a] : 1 - over[a];
-    }
-    const auto at = [&](int level) {
-      std::array<int, 3> place = cell;
-      place[up] = std::clamp(level, 0, lattice.cells[up] - 1);
-      return lattice.index(place[0], place[1], place[2]);
-    };
-    const auto head = [&](std::ptrdiff_t c) {
-      return grid.pressure[c] + weight * lattice.axis[up].centre(lattice.place(c, up));
-    };
-    const std::ptrdiff_t lower = at(low[up]), upper = at(low[up] + 1);
-    double of_upper = over[up];
-    if (pores.active[lower] && pores.active[upper]) {  // the head is lost where it is hard to flow
-      const double a = pores.resistance[1][lower], b = pores.resistance[1][upper];
-      const double edge = 0.5 * lattice.axis[up].width(low[up]) / lattice.axis[up].gap(low[up] + 1);  // between the two
-      if (a + b > 0)
-        of_upper = (std::min(of_upper, edge) * a + std::max(of_upper - edge, 0.0) * b) / (edge * a + (1 - edge) * b);
-    }
-    for (const auto& [c, part] : {std::pair{lower, share * (1 - of_upper)}, std::pair{upper, share * of_upper}}) {
-      if (!pores.active[c] || !seen(c)) continue;
-      sum += part * (head(c) - weight * x[up]);
-      shares += part;
-    }
-  }
-  return shares > 0 ? sum / shares : 0;
-}
-
-template <class Space>
 SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const StepControl& control, double dt,
                                             const Tiling<Space>& tiling, SoilPoints<Space>& soil,
                                             GridFields<Space>& grid, PressureSolver<Space>& solver, Team& team,
@@ -334,6 +280,15 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   pores.ratio_before = pores.ratio;
   const bool standing_water = set_standing_water(setup, ground_, control.time, setup.gravity, pores, cover);
   if (standing_water) bulk_to_faces(setup, soil, tiling, pores, team);
+  if (control.event && setup.any_absorbs() && grid.far_is_known == 0)
+    know_far_ground(
+        setup, soil, pores,
+        [&](int c, std::ptrdiff_t f) {
+          const double weight = setup.water.density * setup.gravity;
+          return grid.soil_force[c][f] + pressure_force(setup.lattice, pores, grid.pressure, c, f) +
+                 (standing_water ? standing_water_force(setup.lattice, pores, weight, c, f) : 0);
+        },
+        grid);
   const double unbalanced = predict(setup, control, dt, standing_water, grid, team);
   if (setup.bodies.any()) {
     extrapolate_soil(setup, grid, team);

@@ -109,6 +109,7 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
     fold(grid.soil_mass[c], c, false, setup.soil_box, lattice);
     fold(pores.held_mass[c], c, false, setup.soil_box, lattice);
     fold(grid.soil_velocity[c], c, true, setup.soil_box, lattice);
+    release_forces(grid.soil_force[c], c, setup.soil_box, lattice);
     fold(grid.soil_force[c], c, true, setup.soil_box, lattice);
     fold(pores.weight[c], -1, false, setup.soil_box, lattice);
   }
