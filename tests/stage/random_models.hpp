@@ -16,16 +16,21 @@ namespace polder {
 /// A model's text and what it claims.
 struct RandomModel {
   std::string text;
-  bool solid = false;    ///< in three dimensions
-  bool at_rest = false;  ///< level layers, level water: the soil must stay where it is
-  double cell = 0;       ///< m
+  bool solid = false;        ///< in three dimensions
+  bool unsaturated = false;  ///< of that formulation
+  bool at_rest = false;      ///< level layers, level water: the soil must stay where it is
+  double cell = 0;           ///< m
 };
 
 class ModelGenerator {
  public:
   /// What came later draws from its own stream, so that the models of a seed keep their ground.
-  explicit ModelGenerator(std::uint64_t seed)
-      : random_(seed), more_(seed ^ 0x9E3779B97F4A7C15ULL), grid_(seed ^ 0xC2B2AE3D27D4EB4FULL) {}
+  /// `finer_unsaturated`: models of that formulation have finer cells in a range, others are as they are.
+  explicit ModelGenerator(std::uint64_t seed, bool finer_unsaturated = false)
+      : random_(seed),
+        more_(seed ^ 0x9E3779B97F4A7C15ULL),
+        grid_(seed ^ 0xC2B2AE3D27D4EB4FULL),
+        finer_unsaturated_(finer_unsaturated) {}
 
   RandomModel make() {
     RandomModel model;
@@ -54,7 +59,8 @@ class ModelGenerator {
         : g.single_point ? "single-point"
                          : "double-point",
         whole(2, 3));
-    if (!g.unsaturated && draw(grid_, 0, 1) < 0.3) model.text += finer(g);
+    if (g.unsaturated ? finer_unsaturated_ : draw(grid_, 0, 1) < 0.3) model.text += finer(g);
+    model.unsaturated = g.unsaturated;
     std::string materials;
     for (int layer = 0; layer < g.layers; ++layer) materials += material(layer, model.at_rest);
     g.end = model.at_rest ? g.length : g.length * between(0.4, 0.8);
@@ -224,6 +230,7 @@ class ModelGenerator {
   }
 
   std::mt19937_64 random_, more_, grid_;
+  bool finer_unsaturated_;
 };
 
 // In cells, of models at rest; the most of the first 300 models is 6.1e-4.
@@ -275,8 +282,8 @@ RandomEnding run_random(const Model& read, const RandomModel& random) {
 }
 
 /// Makes the model of `seed`, runs it and checks it.
-inline RandomEnding try_random(std::uint64_t seed) {
-  ModelGenerator generator(seed);
+inline RandomEnding try_random(std::uint64_t seed, bool finer_unsaturated = false) {
+  ModelGenerator generator(seed, finer_unsaturated);
   const RandomModel random = generator.make();
   SCOPED_TRACE(fmt::format("model {}:\n{}", seed, random.text));
   const Model model = read_text(random.text);

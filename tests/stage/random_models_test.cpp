@@ -11,6 +11,17 @@ TEST(RandomModels, ASampleRunsWithoutLoss) {
   }
 }
 
+TEST(RandomModels, UnsaturatedOnesWithFinerCellsRunWithoutLoss) {
+  int count = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    if (!ModelGenerator(seed).make().unsaturated) continue;
+    const RandomEnding ending = try_random(seed, true);
+    EXPECT_TRUE(ending.finished) << "model " << seed << ": " << ending.reason;
+    ++count;
+  }
+  EXPECT_GT(count, 8);
+}
+
 // Unsaturated ones whose pressures were not found once: 207 by a step of Newton that went round in a circle, the others
 // by the sliver of a step that was left at the end of a stage.
 TEST(RandomModels, ThoseThatFailedOnceRun) {

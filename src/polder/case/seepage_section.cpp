@@ -32,6 +32,10 @@ MaterialRetention read_retention(const Fields& f, const Model& model, Diagnostic
     report(diagnostics, f.place_of("residual"), f.path_of("residual"),
            fmt::format("{:g} is not below the maximum {:g}", residual, maximum), "give a smaller residual saturation");
   const std::string curve = f.text("conductivity"), retention = f.text("model");
+  const bool by_head = retention == "gardner" || retention == "van-genuchten" || curve == "gardner";
+  if (by_head && !(unit_weight > 0))
+    report(diagnostics, f.place_of("model"), f.path_of("model"),
+           "is a curve by head of water, which weighs nothing here", "set model.gravity, or give the curves as tables");
   const HillelConductivity hillel{f.number("hillel_exponent", 3)};
   if (retention == "linear") {
     out.retention = LinearRetention{f.number("slope"), residual};
