@@ -5,6 +5,7 @@
 
 #include "polder/case/geometry.hpp"
 #include "polder/case/sections.hpp"
+#include "polder/case/wall_motion.hpp"
 
 namespace polder::case_file {
 namespace {
@@ -52,6 +53,18 @@ void check_unsaturated_limits(const Sections& sections, const Model& model, Diag
         refuse(sections.boundaries[i], "water", "water conditions of a [[boundary]] in 3d are",
                "give them by a [[seepage_boundary]]");
   }
+  // the free water's step knows bodies that stay, and what it does to them is not summed up
+  const bool flows = !model.rains.empty() || !model.free_water.empty() ||
+                     std::any_of(model.boundaries.begin(), model.boundaries.end(),
+                                 [](const Boundary& b) { return b.water != WaterCondition::closed; });
+  const std::string_view instead = "give water levels and rain by a [[seepage_boundary]]";
+  for (std::size_t i = 0; flows && i < model.walls.size(); ++i)
+    for (const char* key : {"velocity_x", "velocity_upward", "displacement_x", "displacement_upward"})
+      if (moves(model.walls[i]) && sections.walls[i].is_given(key))
+        refuse(sections.walls[i], key, "bodies that move beside free water are", instead);
+  for (std::size_t i = 0; flows && i < model.monitors.size(); ++i)
+    if (model.monitors[i].kind == MonitorKind::wall && model.monitors[i].quantity != "displacement")
+      refuse(sections.monitors[i], "kind", "forces on walls beside free water are", instead);
 }
 
 }  // namespace
