@@ -131,9 +131,9 @@ std::vector<Key> make_keys() {
        "GPa`): "
        "never."},
       {"water", "viscous", "", "flag", false, "false", any, infinity, "false",
-       "Free water has (laminar) viscous stresses. Left out: only the drag in soil knows of the viscosity, for "
-       "boundary "
-       "layers of water are far thinner than cells."},
+       "Free water has (laminar) viscous stresses. Left out: only the drag in soil and sides with `no-slip` know of "
+       "the "
+       "viscosity, for boundary layers of water are far thinner than cells."},
       // ---- material
       {"material", "name", "", "name", true, "", any, infinity, R"("sand")", "By which `[[soil]]` refers to it."},
       {"material", "law", "", "text", true, "", any, infinity, R"("mohr-coulomb")",
@@ -220,7 +220,8 @@ std::vector<Key> make_keys() {
        "`reservoir`: the head is given in a region; `head`: the head "
        "is "
        "given on a side, above it water may only leave (a seepage face); `inflow`: the discharge is given on a side; "
-       "`no-slip`: a side is closed and water sticks to it."},
+       "`no-slip`: a side is closed and water sticks to it; where "
+       "free water is not `viscous`, by the law of the wall for a smooth one."},
       {"boundary", "slide", "", "table of velocity", false, "", -100, 100, R"("0.1 m/s")",
        "A side moves along itself, towards +x or, an upright one, upwards, and takes with it what sticks to it "
        "(`rough` "

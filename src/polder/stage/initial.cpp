@@ -150,7 +150,10 @@ Setup<Space> make_setup(const Model& model) {
     }
     if (boundary.side && boundary.water == WaterCondition::no_slip) {
       const auto [axis, end] = side_of<Space>(*boundary.side);
-      setup.water_box.wall[axis][end] = WallKind::rough;
+      if (model.water.viscous)
+        setup.water_box.wall[axis][end] = WallKind::rough;
+      else
+        setup.sticky_sides.push_back({static_cast<int>(axis), static_cast<int>(end)});
     }
     if (boundary.soil == SoilCondition::none) continue;
     if (boundary.side) {

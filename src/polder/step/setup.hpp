@@ -48,6 +48,11 @@ struct MovingSide {
   Table slide, push;
 };
 
+/// A side that free water rubs along, its boundary layer being thinner than a cell.
+struct StickySide {
+  int axis, end;  ///< end 0: low, 1: high
+};
+
 template <class Space>
 struct Setup {
   Lattice<Space> lattice;
@@ -64,6 +69,7 @@ struct Setup {
   std::vector<Rain> rains;
   Numerics numerics;
   std::vector<MovingSide> moving_sides;
+  std::vector<StickySide> sticky_sides;
   double gravity = 9.81;                           ///< m/s²
   double tilt = 0;                                 ///< rad, of gravity from the vertical towards +x
   bool weighs_bodies = false;                      ///< forces on bodies are asked for

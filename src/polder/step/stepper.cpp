@@ -14,6 +14,7 @@
 #include "polder/step/open_sides.hpp"
 #include "polder/step/points_to_grid.hpp"
 #include "polder/step/rain.hpp"
+#include "polder/step/smooth_walls.hpp"
 #include "polder/step/soil_exchange.hpp"
 #include "polder/step/unresolved.hpp"
 #include "polder/step/viscous_stress.hpp"
@@ -233,6 +234,7 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   watch.lap(times.to_grid);
 
   if (setup.water.viscous) add_viscous_stress(setup, dt, grid, team);
+  if (!setup.sticky_sides.empty()) rub_along_smooth_walls(setup, dt, grid, team);
   predict_faces(setup, control, dt, grid, team);
   if (water.size() > 0) spread_films(setup, control, dt, grid, team);
   if (!setup.open_sides.empty()) close_seepage_faces(setup, grid);
