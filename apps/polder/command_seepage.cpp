@@ -70,10 +70,11 @@ void write_fields(const fs::path& folder, std::size_t number, const FlowSolver& 
   write_drawing(folder / fmt::format("pore-pressure-{}.png", number), draw_field(mesh, pore));
 }
 
-// Ground that deforms with the flow, and since when it finds no equilibrium.
+// Ground that deforms with the flow, since when it has found no equilibrium, and whether it finds one now.
 struct Ground {
   GroundDeformation deformation;
   double lost = -1;  // s
+  bool stands = true;
 };
 
 void follow(FlowSolver& solver, FlowState& state, double until, Ground& ground) {
@@ -82,8 +83,8 @@ void follow(FlowSolver& solver, FlowState& state, double until, Ground& ground) 
   for (int i = 1; i <= parts; ++i) {
     solver.advance(state, from + (until - from) * i / parts);
     if (ground.lost >= 0 && i < parts) continue;  // an attempt that fails is dear: one at the instant
-    const bool stands = ground.deformation.follow(pore_pressure(solver, state));
-    if (!stands && ground.lost < 0) ground.lost = state.time;
+    ground.stands = ground.deformation.follow(pore_pressure(solver, state));
+    if (!ground.stands && ground.lost < 0) ground.lost = state.time;
     solver.scale_conductivity(ground.deformation.conductivity_scale());
   }
 }
@@ -101,15 +102,17 @@ void add_ground(std::vector<FlowValue>& values, const Ground& ground, const Mesh
       {"sliding area", "of the attempt that failed", time, sliding_area(mesh, ground.deformation.mechanism()), "m2"});
 }
 
+/// Of the ground since the beginning or, where it finds no equilibrium, of what moved in the attempt at this instant.
 void write_strain(const fs::path& folder, std::size_t number, const Ground& ground, const Mesh& mesh, double time) {
-  TriangleField strain = gauss_field(mesh, ground.deformation.strain());
-  strain.title = fmt::format("Deviatoric strain, t = {:g} s", time);
+  const bool fails = !ground.stands;
+  const std::vector<double>& moved = fails ? ground.deformation.mechanism() : ground.deformation.state().displacement;
+  TriangleField strain = gauss_field(mesh, ground.deformation.strain(moved));
+  strain.title = fmt::format("Deviatoric strain{}, t = {:g} s", fails ? " of the attempt that fails" : "", time);
   strain.map = ColourMap::strain;
   strain.from_zero = true;
   strain.arrows = arrows(mesh, [&] {
     std::vector<Point2> u(mesh.nodes.size());
-    for (std::size_t n = 0; n < u.size(); ++n)
-      u[n] = {ground.deformation.state().displacement[2 * n], ground.deformation.state().displacement[2 * n + 1]};
+    for (std::size_t n = 0; n < u.size(); ++n) u[n] = {moved[2 * n], moved[2 * n + 1]};
     return u;
   }());
   write_drawing(folder / fmt::format("strain-{}.png", number), draw_field(mesh, strain));

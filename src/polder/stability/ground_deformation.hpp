@@ -27,8 +27,10 @@ class GroundDeformation {
   const FemState& state() const { return state_; }
   /// Displacements (x, y per node) of the last attempt that found no equilibrium; empty: none yet.
   const std::vector<double>& mechanism() const { return mechanism_; }
-  /// Deviatoric strain since the beginning, per Gauss point.
-  std::vector<double> strain() const { return solver_->deviatoric_strain(state_.displacement); }
+  /// Deviatoric strain per Gauss point under displacements, such as those of the state or of the mechanism.
+  std::vector<double> strain(const std::vector<double>& displacement) const {
+    return solver_->deviatoric_strain(displacement);
+  }
   /// Conductivity over that of the material, per triangle.
   std::vector<double> conductivity_scale() const;
 

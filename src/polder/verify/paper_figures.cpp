@@ -12,8 +12,9 @@ constexpr PaperFigure figures[] = {
     {"P1", "3", "porosity at 6, 8, 14, 23 s", "dike-paper (the paper's rule), dike-seepage (ours)"},
     {"P1", "4", "finite-element mesh", "dike-seepage-fem, `polder seepage`"},
     {"P1", "5 left", "deviatoric strain by finite elements",
-     "missing: `polder seepage` gives the water tables, no stresses"},
+     "`polder seepage dike-seepage-fem --set seepage.deformation=true`"},
     {"P1", "5 right", "deviatoric strain with Darcy's law", "dike-paper-darcy, dike-seepage-darcy"},
+    {"P1", "beyond", "reservoir at a constant head", "dike-constant-head"},
     {"P2", "1", "single-point model", "pipe-leak (the drawing of its report)"},
     {"P2", "2", "double-point model", "pipe-leak-inflow (the drawing of its report)"},
     {"P2", "3", "excess pressure, 10 kPa, 2 s", "pipe-leak-10kpa"},
@@ -36,6 +37,7 @@ constexpr PaperFigure figures[] = {
     {"P3", "14", "angle of friction", "`polder study overtopping-friction`"},
     {"P3", "15", "initial porosity", "`polder study overtopping-porosity`"},
     {"P3", "16", "largest porosity", "`polder study overtopping-max-porosity`"},
+    {"P3", "beyond", "two grids", "`polder study overtopping-grid`"},
     {"P4", "1, 2, 14", "mechanism and method", "docs/theory.md, docs/limits.md"},
     {"P4", "3, 4, 11", "the centrifuge test", "not ours: an experiment"},
     {"P4", "5, 6", "model, pressure of the phases", "levee-uplift-paper, levee-stability and its phases"},
@@ -44,6 +46,7 @@ constexpr PaperFigure figures[] = {
     {"P4", "15", "slip surfaces by Uplift-Van", "levee-stability-2 to levee-stability-5, `polder stability`"},
     {"P4", "16, 17", "strength reduction by finite elements",
      "levee-stability, levee-stability-2, levee-stability-112kpa, levee-stability-3, `polder stability`"},
+    {"P4", "beyond", "the clay's own permeability, water as stiff as it is", "levee-uplift"},
 };
 
 }  // namespace
