@@ -13,7 +13,7 @@
 namespace polder {
 namespace {
 
-const WaterProperties water;  // 1000 kg/m³, 1e-3 Pa s
+const WaterProperties water{};  // 1000 kg/m³, 1e-3 Pa s
 
 /// Mean over 0 … y⁺ of the logarithmic law ln(y⁺)/0.41 + 5.2.
 double mean_of_logarithmic_law(double y) { return (std::log(y) - 1) / 0.41 + 5.2; }
