@@ -166,6 +166,12 @@ void check_initial(const Checking& c) {
                fmt::format("its height must lie between 0 and {:.6g} m", c.height()));
         break;
       }
+  if (c.model.initial_seepage && !line.empty())
+    report(c.diagnostics, f.place_of("water_table"), f.path_of("water_table"),
+           "the water table is computed: initial.seepage is set", "leave one of them out");
+  if (c.model.initial_seepage && (c.model.space == SpaceKind::solid || c.model.soils.empty()))
+    report(c.diagnostics, f.place_of("seepage"), f.path_of("seepage"), "takes soil in plane strain",
+           "give initial.water_table");
   if (c.model.initial_stress == InitialStress::gravity &&
       std::none_of(c.model.stages.begin(), c.model.stages.end(), [](const Stage& s) { return s.initial; }))
     report(c.diagnostics, f.place_of("stress"), f.path_of("stress"), "\"gravity\" needs a stage in which it is raised",

@@ -233,6 +233,9 @@ struct Model {
   std::vector<MaterialRetention> retentions;  ///< of the unsaturated formulation; a material without one: S = 1
   std::vector<SeepageCondition> pore_water;   ///< likewise, along lines of the outline; else: base and sides closed,
                                               ///< a seepage face on the ground
+  bool initial_seepage = false;               ///< pore water at the start: steady seepage under the conditions at t = 0
+  std::vector<double>
+      start_pressure;  ///< Pa, of that: at the cells' centres, column by column from below; the run's own
   InitialStress initial_stress = InitialStress::k0;
   std::optional<double> k0;  ///< absent: 1 − sin φ' (Jaky) where the law has an angle, else ν/(1 − ν)
   std::vector<Boundary> boundaries;

@@ -246,6 +246,7 @@ Json case_json(const Model& model) {
   for (const FreeWaterBody& w : model.free_water)
     json["free_water"].push_back(with_name(region_json(w.region), w.name));
   json["initial"] = {{"water_table", model.water_table},
+                     {"seepage", model.initial_seepage},
                      {"stress", word("initial", "stress", static_cast<int>(model.initial_stress))}};
   if (model.unsaturated) {
     json["initial"]["suction_limit"] = number(model.suction_limit);

@@ -257,6 +257,7 @@ void read_initial(const Fields& f, Model& model) {
   static constexpr InitialStress states[] = {InitialStress::k0, InitialStress::gravity, InitialStress::none};
   model.water_table = points2(f.find("water_table"));
   if (const Entry* stress = f.find("stress")) model.initial_stress = states[static_cast<std::size_t>(stress->number)];
+  model.initial_seepage = f.flag("seepage");
   model.suction_limit = f.number("suction_limit", model.suction_limit);
   if (const Entry* k0 = f.find("k0")) model.k0 = k0->number;
 }

@@ -195,6 +195,10 @@ std::vector<Key> make_keys() {
       {"initial", "water_table", "", "polyline", false, "", any, infinity, R"([["1.8 m", "0.8 m"], ["3.8 m", "0 m"]])",
        "Phreatic line in the soil, [x, height] from left to right; it goes on level beyond its ends. Soil below it is "
        "saturated at the start, soil above it is dry. Left out: all soil is dry."},
+      {"initial", "seepage", "", "flag", false, "false", any, infinity, "true",
+       "The water table and, in the unsaturated formulation, pressures and suction are those of steady seepage under "
+       "the "
+       "conditions at t = 0 (as by `polder seepage`), instead of a `water_table`; plane strain."},
       {"initial", "suction_limit", "s", "pressure", false, "", 0, infinity, R"("50 kPa")",
        "Unsaturated formulation: the suction above the water table is hydrostatic up to this value. Left out: all the "
        "way up."},

@@ -115,6 +115,7 @@ Setup<Space> make_setup(const Model& model) {
   setup.unsaturated = model.unsaturated;
   setup.pore_water = model.pore_water;
   setup.water_table = model.water_table;
+  setup.start_pressure = model.start_pressure;
   setup.suction_limit = model.suction_limit;
   setup.reservoirs = make_reservoirs(model, setup.lattice);
 

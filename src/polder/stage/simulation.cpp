@@ -11,6 +11,7 @@
 #include "polder/points/seed.hpp"
 #include "polder/stage/initial.hpp"
 #include "polder/stage/rest.hpp"
+#include "polder/stage/seepage_start.hpp"
 #include "polder/stage/sound.hpp"
 #include "polder/stage/unsaturated_start.hpp"
 
@@ -47,7 +48,10 @@ Stepper<Space> make_stepper(const Model& model, int threads) {
 
 template <class Space>
 Simulation<Space>::Simulation(const Model& model, int threads)
-    : model_(model), stepper_(make_stepper<Space>(model, threads)), audit_(model, stepper_), guards_(stepper_) {
+    : model_(with_steady_seepage(model)),
+      stepper_(make_stepper<Space>(model_, threads)),
+      audit_(model_, stepper_),
+      guards_(stepper_) {
   for (const Stage& stage : model_.stages)
     (stage.initial ? time_ : end_time_) += stage.initial ? -stage.duration : stage.duration;
   stage_ends_.assign(model_.stages.size(), -1);

@@ -72,7 +72,10 @@ double standing_water_force(const Lattice<Space>& lattice, const PoreFields<Spac
   const double wide_below = relative_width(lattice, axis, place - 1), wide = relative_width(lattice, axis, place);
   const double volume = 0.5 * (pores.weight[axis][low] * wide_below + pores.weight[axis][face] * wide);
   const bool submerged = pores.over_ground[low] > 0 && pores.over_ground[face] > 0;
-  const bool deep = volume >= (1 - 1e-9) * 0.5 * (lattice.cell_volume(low) + lattice.cell_volume(face));
+  const double whole_below = lattice.cell_volume(low), whole = lattice.cell_volume(face);
+  const bool deep =
+      volume >= (1 - 1e-9) * 0.5 * (whole_below + whole) ||  // of different cells w_a is what balances stress
+      (lattice.graded && pores.yielding[low] > 0.9 * whole_below && pores.yielding[face] > 0.9 * whole);
   const double buoyant = submerged && !deep ? pores.face_bulk[face] - volume : 0;
   return push + weight * (buoyant - 0.5 * (below * wide_below + above * wide));
 }

@@ -80,6 +80,7 @@ struct Setup {
   std::vector<PoreSpace> pores;                    ///< of the materials; unsaturated formulation
   std::vector<SeepageCondition> pore_water;        ///< along lines of the outline; likewise
   std::vector<std::array<double, 2>> water_table;  ///< at the start, (x, height) in m; likewise
+  std::vector<double> start_pressure;              ///< Pa, at the start, of cells column by column; empty: still water
   double suction_limit = 1e300;                    ///< Pa, above the water table at the start; likewise
   bool anisotropic = false;                        ///< some material drains differently in the vertical
   double soil_step = 1e300;                        ///< s, CFL limit of the drained P-wave

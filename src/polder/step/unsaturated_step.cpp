@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "polder/case/geometry.hpp"
 #include "polder/step/body_contact.hpp"
@@ -24,8 +25,35 @@ constexpr double calm_below = 1e-2, loud_above = 2e-2, grow = 1.03, shrink = 0.9
 
 }  // namespace
 
+namespace {
+
+/// Of pressures that were computed at the cells' centres: linear in between, as still water beyond the last ones.
+template <class Space>
+double computed_at_start(const Setup<Space>& setup, double x, double height) {
+  const auto &across = setup.lattice.axis[0], &upwards = setup.lattice.axis[Space::up];
+  const int columns = setup.lattice.cells[0], levels = setup.lattice.cells[Space::up];
+  // the cell whose centre is the last one at or before a place, and how far on the way to the next the place is
+  const auto between = [](const GridAxis& axis, double at, int count) {
+    int low = std::clamp(static_cast<int>(axis.place(at)), 0, count - 1);
+    if (at < axis.centre(low)) low = std::max(low - 1, 0);
+    const int high = std::min(low + 1, count - 1);
+    const double way = high > low ? (at - axis.centre(low)) / (axis.centre(high) - axis.centre(low)) : 0;
+    return std::tuple{low, high, std::clamp(way, 0.0, 1.0)};
+  };
+  const auto [left, right, over] = between(across, x, columns);
+  const auto [lower, upper, up] = between(upwards, height, levels);
+  const auto value = [&](int i, int j) { return setup.start_pressure[static_cast<std::size_t>(i * levels + j)]; };
+  const double p = (1 - over) * ((1 - up) * value(left, lower) + up * value(left, upper)) +
+                   over * ((1 - up) * value(right, lower) + up * value(right, upper));
+  const double beyond = std::min(height - upwards.centre(0), 0.0) + std::max(height - upwards.centre(levels - 1), 0.0);
+  return p - setup.water.density * setup.gravity * beyond;
+}
+
+}  // namespace
+
 template <class Space>
 double pressure_at_start(const Setup<Space>& setup, double x, double height) {
+  if (!setup.start_pressure.empty()) return std::max(computed_at_start(setup, x, height), -setup.suction_limit);
   if (setup.water_table.empty()) return 0;
   const double p = setup.water.density * setup.gravity * (height_at(setup.water_table, x) - height);
   return std::max(p, -setup.suction_limit);
