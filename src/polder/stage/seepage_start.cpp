@@ -12,6 +12,7 @@ namespace {
 
 std::vector<double> centres(const GridAxis& axis, int count) {
   std::vector<double> x;
+  x.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) x.push_back(axis.centre(i));
   return x;
 }

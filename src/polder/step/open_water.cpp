@@ -154,6 +154,7 @@ void OpenWater<Space>::pay(const std::vector<std::ptrdiff_t>& cells, int aside, 
     return account_[inner_->setup.lattice.place(cell, 0) - aside];
   };
   std::vector<WellFlow> flows;
+  flows.reserve(cells.size());
   for (const std::ptrdiff_t cell : cells) flows.push_back({cell, 0, 0, -share * account(cell)});
   const std::uint64_t first_new = inner_->next_water_id;
   WaterPoints<Space>& water = inner_->water;

@@ -32,6 +32,7 @@ template <class Space>
 double computed_at_start(const Setup<Space>& setup, double x, double height) {
   const auto &across = setup.lattice.axis[0], &upwards = setup.lattice.axis[Space::up];
   const int columns = setup.lattice.cells[0], levels = setup.lattice.cells[Space::up];
+  const auto height_of = static_cast<std::ptrdiff_t>(levels);
   // the cell whose centre is the last one at or before a place, and how far on the way to the next the place is
   const auto between = [](const GridAxis& axis, double at, int count) {
     int low = std::clamp(static_cast<int>(axis.place(at)), 0, count - 1);
@@ -42,7 +43,7 @@ double computed_at_start(const Setup<Space>& setup, double x, double height) {
   };
   const auto [left, right, over] = between(across, x, columns);
   const auto [lower, upper, up] = between(upwards, height, levels);
-  const auto value = [&](int i, int j) { return setup.start_pressure[static_cast<std::size_t>(i * levels + j)]; };
+  const auto value = [&](int i, int j) { return setup.start_pressure[i * height_of + j]; };
   const double p = (1 - over) * ((1 - up) * value(left, lower) + up * value(left, upper)) +
                    over * ((1 - up) * value(right, lower) + up * value(right, upper));
   const double beyond = std::min(height - upwards.centre(0), 0.0) + std::max(height - upwards.centre(levels - 1), 0.0);
