@@ -9,6 +9,7 @@
 #include "polder/stage/checkpoint.hpp"
 #include "polder/stage/simulation.hpp"
 #include "silt.hpp"
+#include "wall_in_silt.hpp"
 
 namespace polder {
 namespace {
@@ -119,43 +120,8 @@ line = [[2, 5], [2, 0]]
 
 TEST(UnsaturatedThinWall, LetsWaterPassUnderItsToe) {
   // half way down a layer: q = k H / 2 between banks that go on for ever
-  const double head = 1;
-  const std::string text = R"(
-[model]
-formulation = "unsaturated"
-size = ["20 m", "3 m"]
-cell = "0.1 m"
-[initial]
-stress = "none"
-water_table = [[0, 2], [20, 2]]
-)" + silt("fixed = true") + R"(
-[[soil]]
-material = "silt"
-polygon = [[0, 0], [20, 0], [20, 2], [0, 2]]
-[[wall]]
-line = [[10, 3], [10, 1]]
-[[seepage_boundary]]
-name = "edge"
-line = [[0, 2], [10, 2]]
-head = "3 m"
-[[seepage_boundary]]
-name = "other"
-line = [[10, 2], [20, 2]]
-head = "2 m"
-[numerics]
-step_stretch = 1000
-[[stage]]
-name = "flow"
-duration = "20 s"
-)";
-  Simulation<PlaneStrain> run(read_text(text), 1);
-  double q = 0;
-  while (!run.finished()) {
-    const double out = run.audit().water_out, from = run.time();
-    run.advance();
-    q = (run.audit().water_out - out) / (run.time() - from);
-  }
-  EXPECT_NEAR(q / (5e-4 * head), 0.5, 0.02);
+  Simulation<PlaneStrain> run(wall_in_silt("cell = \"0.1 m\"\n"), 1);
+  EXPECT_NEAR(discharge_at_the_end(run), 0.5, 0.02);
 }
 
 std::string column(const std::string& more, const std::string& stages) {

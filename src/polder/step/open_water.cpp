@@ -36,7 +36,7 @@ Setup<Space> of_water(Setup<Space> setup) {
   return setup;
 }
 
-/// Height of the ground's outline at x, m; below the model's base where there is no soil.
+/// Height of the ground's outline at x, m; that of the model's base where there is no soil.
 template <class Space>
 double ground_at(const Lattice<Space>& lattice, const Array& ground, double x) {
   const auto& axis = lattice.axis[0];
@@ -127,11 +127,8 @@ void OpenWater<Space>::rebuild(const Setup<Space>& setup) {
 template <class Space>
 void OpenWater<Space>::let_it_rain(const Setup<Space>& setup, double time, double dt,
                                    std::vector<Exchange>& exchanged) {
-  const auto& x = setup.lattice.axis[0];
   for (int i = 0; i < setup.lattice.cells[0]; ++i) {
-    double rate = 0;
-    for (const Rain& rain : setup.rains) rate += rate_on(rain, time, x.centre(i), x.width(i));
-    const double volume = rate * dt * setup.lattice.face_area(Space::up, setup.lattice.index(i, 0));
+    const double volume = rain_on(setup, time, i) * dt * setup.lattice.face_area(Space::up, setup.lattice.index(i, 0));
     wanted_by_air_[i] = std::max(-volume, 0.0);
     if (volume <= 0 || surface_[i] < 0) continue;
     account_[i] += volume;
@@ -239,8 +236,8 @@ void OpenWater<Space>::set_cover(double gravity) {
     std::ptrdiff_t above = cell;
     for (int k = level; k < lattice.cells[Space::up] && volume[above] > 0; ++k, above += rise)
       on_ground_[i] += volume[above];
-    const double held =
-        std::max(0.0, on_ground_[i] + account_[i]);  // the ground does not pay what water has run away with
+    // the ground does not pay what water has run away with
+    const double held = std::max(0.0, on_ground_[i] + account_[i]);
     cover.available[i] = held - wanted_by_air_[i];
     if (ground_[i] >= 0) cover.pressure[i] = weight * held / lattice.face_area(Space::up, cell);
   }
@@ -252,10 +249,10 @@ void OpenWater<Space>::advance(const Setup<Space>& setup, const StepControl& con
   if (stale_) rebuild(setup);
   std::swap(water, inner_->water);
   let_it_rain(setup, control.time, dt, exchanged);
+  const double share = share_paid(dt);
   inner_->sources.clear();
   for (std::size_t i = 0; i < account_.size(); ++i)
-    if (surface_[i] >= 0 && account_[i] != 0)
-      inner_->sources.push_back({surface_[i], 0, 0, -share_paid(dt) * account_[i] / dt});
+    if (surface_[i] >= 0 && account_[i] != 0) inner_->sources.push_back({surface_[i], 0, 0, -share * account_[i] / dt});
   inner_->advance(control, dt);
   exchanged.insert(exchanged.end(), inner_->exchanged.begin(), inner_->exchanged.end());
   settle(dt);
@@ -345,8 +342,7 @@ void OpenWater<Space>::restored(WaterPoints<Space>& water) {
 template <class Space>
 bool OpenWater<Space>::sound() const {
   const double height = inner_->setup.lattice.length(Space::up);
-  return inner_->drift_water >= 0 && inner_->motion.speed >= 0 && inner_->soil.size() == 0 &&
-         inner_->water.size() == 0 &&
+  return inner_->drift_water >= 0 && inner_->motion.speed >= 0 &&
          std::all_of(account_.begin(), account_.end(), [](double a) { return std::isfinite(a); }) &&
          std::all_of(ground_.begin(), ground_.end(), [&](double y) { return y >= -1 && y <= 2 * height; });
 }

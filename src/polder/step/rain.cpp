@@ -8,13 +8,14 @@
 
 namespace polder {
 
+namespace {
+
+/// m/s on a column whose middle is at x, mean over its width.
 double rate_on(const Rain& rain, double time, double x, double width) {
   if (!rain.span) return rain.rate(time);
   const double covered = std::min(x + 0.5 * width, (*rain.span)[1]) - std::max(x - 0.5 * width, (*rain.span)[0]);
   return rain.rate(time) * std::max(0.0, covered) / width;
 }
-
-namespace {
 
 constexpr double parcel = 0.125;  // × a nominal point
 constexpr double a_little = 0.1;  // of a cell, of soil or water: rain falls on it and not through it
@@ -74,6 +75,14 @@ void evaporate(const Setup<Space>& setup, Dues& dues, GridFields<Space>& grid, W
 }  // namespace
 
 template <class Space>
+double rain_on(const Setup<Space>& setup, double time, int i) {
+  const auto& x = setup.lattice.axis[0];
+  double rate = 0;
+  for (const Rain& rain : setup.rains) rate += rate_on(rain, time, x.centre(i), x.width(i));
+  return rate;
+}
+
+template <class Space>
 std::vector<Exchange> let_it_rain(const Setup<Space>& setup, double time, double dt, GridFields<Space>& grid,
                                   std::uint64_t& next_id, WaterPoints<Space>& water) {
   constexpr int up = Space::up;
@@ -83,9 +92,7 @@ std::vector<Exchange> let_it_rain(const Setup<Space>& setup, double time, double
   for (int k = 0; k < (Space::axes == 3 ? lattice.cells[1] : 1); ++k)
     for (int i = 0; i < lattice.cells[0]; ++i) {
       const std::ptrdiff_t base = Space::axes == 3 ? lattice.index(i, k, 0) : lattice.index(i, 0);
-      double rate = 0;
-      for (const Rain& rain : setup.rains)
-        rate += rate_on(rain, time, lattice.axis[0].centre(i), lattice.axis[0].width(i));
+      const double rate = rain_on(setup, time, i);
       double& fallen = grid.rain[base];
       fallen += rate * dt * lattice.face_area(up, base);
       const double size = parcel * setup.nominal_point_volume(base);
@@ -116,6 +123,8 @@ std::vector<Exchange> let_it_rain(const Setup<Space>& setup, double time, double
   return exchanged;
 }
 
+template double rain_on(const Setup<PlaneStrain>&, double, int);
+template double rain_on(const Setup<Solid>&, double, int);
 template std::vector<Exchange> let_it_rain(const Setup<PlaneStrain>&, double, double, GridFields<PlaneStrain>&,
                                            std::uint64_t&, WaterPoints<PlaneStrain>&);
 template std::vector<Exchange> let_it_rain(const Setup<Solid>&, double, double, GridFields<Solid>&, std::uint64_t&,

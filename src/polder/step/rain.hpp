@@ -12,8 +12,9 @@
 
 namespace polder {
 
-/// m/s of this rain on a column whose middle is at x, mean over its width, m.
-double rate_on(const Rain& rain, double time, double x, double width);
+/// m/s of all rains on column i of the cells along x, mean over its width.
+template <class Space>
+double rain_on(const Setup<Space>& setup, double time, int i);
 
 /// Returns what has become points, and what points have lost; if there is anything, they must be sorted again.
 template <class Space>
