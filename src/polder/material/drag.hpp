@@ -67,6 +67,7 @@ struct Drag {
 inline double linear_resistance(const Drag& drag, double n) {
   const double phi = 1 - n;
   if (drag.void_rate > 0) return drag.at_start * std::exp(-drag.void_rate * (1 / phi - 1 / drag.solid_start));
+  if (drag.power && drag.exponent == 0) return drag.at_start;
   if (drag.power) return drag.at_start * std::pow(phi / drag.solid_start, drag.exponent);
   double c = drag.viscous * phi * phi / (n * n * n);
   if (drag.law == DragLaw::beetstra)

@@ -85,21 +85,22 @@ class Team {
 };
 
 /// Σ term(i) over [0, count), in an order that does not depend on the number of threads: blocks of fixed size, added in
-/// sequence.
+/// sequence. Terms are numbers, or what adds up by += from {}.
 template <class Term>
-double ordered_sum(Team& team, std::ptrdiff_t count, Term&& term) {
+auto ordered_sum(Team& team, std::ptrdiff_t count, Term&& term) {
+  using Sum = decltype(term(std::ptrdiff_t{0}));
   constexpr std::ptrdiff_t block = 1024;
   const std::ptrdiff_t blocks = (count + block - 1) / block;
-  std::vector<double> partial(static_cast<std::size_t>(blocks), 0.0);
+  std::vector<Sum> partial(static_cast<std::size_t>(blocks), Sum{});
   team.share(blocks, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     for (std::ptrdiff_t b = begin; b < end; ++b) {
-      double sum = 0;
+      Sum sum{};
       for (std::ptrdiff_t i = b * block; i < std::min(count, (b + 1) * block); ++i) sum += term(i);
       partial[static_cast<std::size_t>(b)] = sum;
     }
   });
-  double sum = 0;
-  for (const double p : partial) sum += p;
+  Sum sum{};
+  for (const Sum& p : partial) sum += p;
   return sum;
 }
 

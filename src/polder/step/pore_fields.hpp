@@ -79,9 +79,11 @@ struct PoreFields {
   std::array<AlignedVector<std::int8_t>, Space::axes> leader;
 
   // of points, in their order
-  std::vector<PointCells<Space>> box;                     ///< the cells that a point counts for, until it moves
+  PointBoxes<Space> box;                                  ///< the cells that a point counts for, until it moves
   std::array<Array, Space::axes * Space::axes> gradient;  ///< 1/s
   Array dilation;                                         ///< 1/s
+  Array inertia;                                          ///< kg
+  Array volume;                                           ///< m³, of grains and pores, with the porosity as it is
   Array pore_volume;                                      ///< m³, at the start of the step
 };
 

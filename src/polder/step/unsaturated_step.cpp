@@ -232,32 +232,30 @@ void UnsaturatedStep<Space>::set_way(const Setup<Space>& setup, double dt, const
 }
 
 template <class Space>
-void UnsaturatedStep<Space>::judge(const Setup<Space>& setup, double dt, const SoilPoints<Space>& soil, Team& team) {
-  const double h = setup.lattice.smallest_spacing();
-  const auto count = static_cast<std::ptrdiff_t>(soil.size());
-  const auto volume = [&](std::ptrdiff_t p) { return bulk_volume(setup, soil, static_cast<std::size_t>(p)); };
-  const auto inertia = [&](std::ptrdiff_t p) {
-    const double mass = soil.mass[p] + setup.water.density * soil.water[p];
-    const auto cell = cell_of(setup.lattice, position_of(soil, static_cast<std::size_t>(p)));
-    return std::max(setup.numerics.mass_scaling * mass,
-                    needed_inertia(setup.lattice, cell, volume(p), setup.pores[soil.material[p]].modulus, dt));
+void UnsaturatedStep<Space>::judge(const Setup<Space>& setup, const SoilPoints<Space>& soil, Team& team) {
+  struct Energies {
+    double kinetic = 0, elastic = 0, of_mass = 0;  // of_mass: without what inertia is raised by
+
+    void operator+=(const Energies& other) {
+      kinetic += other.kinetic;
+      elastic += other.elastic;
+      of_mass += other.of_mass;
+    }
   };
-  const double kinetic = ordered_sum(team, count, [&](std::ptrdiff_t p) {
-    return 0.5 * inertia(p) * speed_squared(soil, static_cast<std::size_t>(p));
-  });
-  const double elastic = ordered_sum(team, count, [&](std::ptrdiff_t p) {
+  const double h = setup.lattice.smallest_spacing();
+  const auto energies = ordered_sum(team, static_cast<std::ptrdiff_t>(soil.size()), [&](std::ptrdiff_t at) {
+    const auto p = static_cast<std::size_t>(at);
     double square = 0;
     for (int s = 0; s < Space::stress; ++s) square += (s < 3 ? 1 : 2) * soil.stress[s][p] * soil.stress[s][p];
-    return 0.5 * volume(p) * square / setup.pores[soil.material[p]].modulus;
+    const double half_speed = 0.5 * speed_squared(soil, p);
+    return Energies{half_speed * pores.inertia[p],
+                    0.5 * pores.volume[p] * square / setup.pores[soil.material[p]].modulus,
+                    half_speed * (soil.mass[p] + setup.water.density * soil.water[p])};
   });
-  const double of_mass = ordered_sum(team, count, [&](std::ptrdiff_t p) {
-    return 0.5 * (soil.mass[p] + setup.water.density * soil.water[p]) *
-           speed_squared(soil, static_cast<std::size_t>(p));
-  });
-  calm.energy_over_weight = weight_ > 0 ? of_mass / (weight_ * setup.lattice.spacing[Space::up]) : 0;
-  calm.energy_ratio = elastic > 0 ? kinetic / elastic : 0;
-  calm.inertial_number = 0;
-  for (std::ptrdiff_t p = 0; p < count; ++p) {
+  calm.energy_over_weight = weight_ > 0 ? energies.of_mass / (weight_ * setup.lattice.spacing[Space::up]) : 0;
+  calm.energy_ratio = energies.elastic > 0 ? energies.kinetic / energies.elastic : 0;
+  double largest = 0;  // square of the inertial number over h
+  for (std::size_t p = 0; p < soil.size(); ++p) {
     double rate = 0;
     for (int c = 0; c < Space::axes; ++c)
       for (int a = 0; a < Space::axes; ++a) {
@@ -265,8 +263,9 @@ void UnsaturatedStep<Space>::judge(const Setup<Space>& setup, double dt, const S
         rate += 2 * e * e;
       }
     const double confinement = std::max(1e3, -(soil.stress[0][p] + soil.stress[1][p] + soil.stress[2][p]) / 3);  // Pa
-    calm.inertial_number = std::max(calm.inertial_number, std::sqrt(rate * inertia(p) / volume(p) / confinement) * h);
+    largest = std::max(largest, rate * pores.inertia[p] / (pores.volume[p] * confinement));
   }
+  calm.inertial_number = std::sqrt(largest) * h;
   if (calm.stretch > 1 || setup.numerics.mass_scaling > 1) {
     calm.worst_energy_ratio = std::max(calm.worst_energy_ratio, calm.energy_ratio);
     calm.worst_inertial_number = std::max(calm.worst_inertial_number, calm.inertial_number);
@@ -355,7 +354,7 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   settle_books(setup, dt, exits, control.hold_water, grid, team, exchanged, cover);
   move_points(setup, dt, tiling, pores, soil, team);
   show_water(setup, grid, team);
-  judge(setup, dt, soil, team);
+  judge(setup, soil, team);
 
   calm.unbalanced_now = unbalanced;
   calm.unbalanced += smoothing * (unbalanced - calm.unbalanced);

@@ -16,13 +16,27 @@ inline constexpr int dilation_passes = 2;
 
 /// Inertia, kg, that V m³ of soil of modulus M need in a cell for a step: V M (Δt/(cfl h))².
 template <class Space>
-double needed_inertia(const Lattice<Space>& lattice, const std::array<int, 3>& cell, double volume, double modulus,
-                      double step) {
-  double h = lattice.axis[0].width(cell[0]);
-  for (int a = 1; a < Space::axes; ++a) h = std::min(h, lattice.axis[a].width(cell[a]));
-  const double stretched = step / (difference_cfl * h);
-  return volume * modulus * stretched * stretched;
-}
+class NeededInertia {
+ public:
+  NeededInertia(const Lattice<Space>& lattice, double step)
+      : lattice_(lattice), step_(step), in_smallest_(stretched(lattice.smallest_spacing())) {}
+
+  double operator()(const std::array<int, 3>& cell, double volume, double modulus) const {
+    const double s = lattice_.graded ? stretched(least_width(cell)) : in_smallest_;
+    return volume * modulus * s * s;
+  }
+
+ private:
+  double stretched(double h) const { return step_ / (difference_cfl * h); }
+  double least_width(const std::array<int, 3>& cell) const {
+    double h = lattice_.axis[0].width(cell[0]);
+    for (int a = 1; a < Space::axes; ++a) h = std::min(h, lattice_.axis[a].width(cell[a]));
+    return h;
+  }
+
+  const Lattice<Space>& lattice_;
+  double step_, in_smallest_;
+};
 
 /// How fast the ground moves, and whether what steps longer than natural do to it still is at rest.
 struct Calm {
@@ -93,7 +107,7 @@ class UnsaturatedStep {
   void settle_books(const Setup<Space>& setup, double dt, const std::vector<PoreExit>& exits, bool held,
                     GridFields<Space>& grid, Team& team, std::vector<Exchange>& exchanged, GroundCover* cover);
   void set_way(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, Team& team);
-  void judge(const Setup<Space>& setup, double dt, const SoilPoints<Space>& soil, Team& team);
+  void judge(const Setup<Space>& setup, const SoilPoints<Space>& soil, Team& team);
   void show_water(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) const;
 
   std::vector<std::int32_t> ground_;  // number of the condition of each column's ground; −1: none is given

@@ -17,16 +17,6 @@
 
 namespace polder {
 
-namespace {
-
-/// The cells that a point counts for.
-template <class Space>
-PointCells<Space> box_of(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p) {
-  return {setup, position_of(soil, p), box_half(setup, soil, p)};
-}
-
-}  // namespace
-
 template <class Space>
 std::array<double, 3> box_half(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t p) {
   const auto& lattice = setup.lattice;
@@ -43,6 +33,39 @@ std::array<double, 3> box_half(const Setup<Space>& setup, const SoilPoints<Space
   return halves;
 }
 
+namespace {
+
+/// box_half() of a chunk, by axis.
+template <class Space>
+void box_halves(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t first, int count,
+                double (&half)[Space::axes][chunk_size]) {
+  if (setup.lattice.graded) {
+    for (int l = 0; l < count; ++l) {
+      const std::array<double, 3> halves = box_half(setup, soil, first + static_cast<std::size_t>(l));
+      for (int a = 0; a < Space::axes; ++a) half[a][l] = halves[a];
+    }
+    return;
+  }
+  const double whole = setup.lattice.cell_volume();
+  for (int l = 0; l < count; ++l) {
+    const std::size_t p = first + static_cast<std::size_t>(l);
+    const SoilMaterial& material = setup.materials[soil.material[p]];
+    half[0][l] = soil.mass[p] / (material.grain_density * (1 - material.initial_porosity));
+  }
+  for (int l = 0; l < count; ++l) half[0][l] = std::min(0.5, half_edge<Space>(half[0][l], whole));
+  for (int a = 1; a < Space::axes; ++a) std::copy_n(half[0], count, half[a]);
+}
+
+/// Volumes of a chunk's points with their porosities as they are.
+template <class Space>
+void set_volumes(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t first, int count,
+                 PoreFields<Space>& pores) {
+  for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p)
+    pores.volume[p] = bulk_volume(setup, soil, p);
+}
+
+}  // namespace
+
 template <class Space>
 void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
                      InertiaRule inertia, double gravity, double time, GridFields<Space>& grid,
@@ -52,40 +75,44 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
     for (auto& field : *fields) std::fill(field.begin(), field.end(), 0.0);
   for (auto* field : {&pores.sums, &pores.resistance[1]}) std::fill(field->begin(), field->end(), 0.0);
 
-  pores.box.resize(soil.size());
+  pores.box.resize(setup, soil.size());
+  pores.inertia.resize(soil.size());
+  pores.volume.resize(soil.size());
+  const NeededInertia<Space> needed(lattice, inertia.step);
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
     use_cell_differences(lattice, chunk, count);
     MixtureLoad<Space::axes> load;
-    double yielding[chunk_size], bulk[chunk_size];
+    double yielding[chunk_size], half[Space::axes][chunk_size];
+    set_volumes(setup, soil, first, count, pores);
+    const double* bulk = pores.volume.data() + first;
     bool any_held = false;
     const bool walled = beside_walls(setup.walls, lattice, chunk, count);
+    box_halves(setup, soil, first, count, half);
+    pores.box.set(setup, soil.position, first, count, half);
     for (int l = 0; l < count; ++l) {
       const std::size_t p = first + static_cast<std::size_t>(l);
       const SoilMaterial& material = setup.materials[soil.material[p]];
-      const double volume = bulk_volume(setup, soil, p), mass = soil.mass[p] + setup.water.density * soil.water[p];
-      bulk[l] = volume;
+      const double volume = bulk[l], mass = soil.mass[p] + setup.water.density * soil.water[p];
       for (int a = 0; a < Space::axes; ++a)
         load.volume[a][l] = volume * pressing_part(setup.bodies, lattice, a, cell_index(lattice, chunk, l));
       load.weight[l] = gravity * mass;
-      load.inertia[l] = std::max(
-          inertia.scaling * mass,
-          needed_inertia(lattice, cell_places(chunk, l), volume, setup.pores[soil.material[p]].modulus, inertia.step));
+      load.inertia[l] = pores.inertia[p] = std::max(
+          inertia.scaling * mass, needed(cell_places(chunk, l), volume, setup.pores[soil.material[p]].modulus));
       load.held[l] = material.fixed ? load.inertia[l] : 0;
       any_held = any_held || material.fixed;
       yielding[l] = material.fixed ? 0 : volume;
       const Vec4 content{volume, yielding[l], soil.water[p],
                          volume * linear_resistance(material.drag[0], soil.porosity[p])};
       double* sums = pores.sums.data();
-      pores.box[p] = box_of(setup, soil, p);
-      pores.box[p].over_cells(lattice, [&](std::ptrdiff_t cell, double share) {
+      pores.box.over_cells(lattice, p, [&](std::ptrdiff_t cell, double share) {
         store4(sums + 4 * cell, load4(sums + 4 * cell) + share * content);
       });
       if (!setup.anisotropic) continue;
       const double upright = volume * linear_resistance(material.drag[1], soil.porosity[p]);
-      pores.box[p].over_cells(lattice,
-                              [&](std::ptrdiff_t cell, double share) { pores.resistance[1][cell] += share * upright; });
+      pores.box.over_cells(lattice, p,
+                           [&](std::ptrdiff_t cell, double share) { pores.resistance[1][cell] += share * upright; });
     }
     over_components<Space>([&]<int c>() {
       double* held = any_held ? pores.held_mass[c].data() : nullptr;
@@ -130,7 +157,7 @@ void bulk_to_faces(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
     for (int l = 0; l < count; ++l) {
       const std::size_t p = first + static_cast<std::size_t>(l);
       if (setup.materials[soil.material[p]].fixed) continue;
-      const double volume = bulk_volume(setup, soil, p);
+      const double volume = pores.volume[p];
       if (walled) {
         over_seen_nodes<up>(setup.walls, lattice, chunk, l,
                             [&](const SeenNode<Space>& node) { field[node.at] += volume * node.value(); });
@@ -153,9 +180,9 @@ void pores_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
   for (auto& field : pores.composition) std::fill(field.begin(), field.end(), 0.0);
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
-      const double volume = soil.porosity[p] * bulk_volume(setup, soil, p);
+      const double volume = soil.porosity[p] * pores.volume[p];
       Array& field = pores.composition[soil.material[p]];
-      pores.box[p].over_cells(setup.lattice, [&](std::ptrdiff_t cell, double share) { field[cell] += share * volume; });
+      pores.box.over_cells(setup.lattice, p, [&](std::ptrdiff_t cell, double share) { field[cell] += share * volume; });
     }
   });
   pores.pores = pores.composition.front();
@@ -250,9 +277,9 @@ void correct_dilation(const Setup<Space>& setup, const Tiling<Space>& tiling, co
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       if (!yields(p)) continue;
-      const double change = bulk_volume(setup, soil, p) * pores.dilation[p];
-      pores.box[p].over_cells(lattice,
-                              [&](std::ptrdiff_t cell, double share) { pores.points_change[cell] += share * change; });
+      const double change = pores.volume[p] * pores.dilation[p];
+      pores.box.over_cells(lattice, p,
+                           [&](std::ptrdiff_t cell, double share) { pores.points_change[cell] += share * change; });
     }
   });
   const double thin = 0.05;  // of a cell's volume
@@ -265,8 +292,8 @@ void correct_dilation(const Setup<Space>& setup, const Tiling<Space>& tiling, co
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       if (!yields(p)) continue;
       double add = 0;
-      pores.box[p].over_cells(lattice,
-                              [&](std::ptrdiff_t cell, double share) { add += share * pores.correction[cell]; });
+      pores.box.over_cells(lattice, p,
+                           [&](std::ptrdiff_t cell, double share) { add += share * pores.correction[cell]; });
       pores.dilation[p] += add;
     }
   });
@@ -288,9 +315,10 @@ Motion strain_points(const Setup<Space>& setup, double dt, const GridFields<Spac
       for (int a = 0; a < Space::axes; ++a)
         std::copy_n(pores.gradient[c * Space::axes + a].data() + first, count, gradients.at[c][a]);
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p)
-      pores.pore_volume[p] = soil.porosity[p] * bulk_volume(setup, soil, p);
+      pores.pore_volume[p] = soil.porosity[p] * pores.volume[p];
     double plastic_shear[chunk_size];
     update_soil(setup, dt, first, count, gradients, pores.dilation.data() + first, soil, plastic_shear);
+    set_volumes(setup, soil, first, count, pores);
   });
   motion.drift = motion.speed * dt;
   return motion;
@@ -308,8 +336,8 @@ void change_water(const Setup<Space>& setup, const Tiling<Space>& tiling, PoreFi
   // body(cell, share, water by its own history, water as the cell's mean has it)
   const auto over_shares = [&](std::size_t p, auto&& body) {
     const Array &ratio = pores.ratio[soil.material[p]], &ratio_before = pores.ratio_before[soil.material[p]];
-    const double before = pores.pore_volume[p], now = soil.porosity[p] * bulk_volume(setup, soil, p);
-    pores.box[p].over_cells(setup.lattice, [&](std::ptrdiff_t cell, double share) {
+    const double before = pores.pore_volume[p], now = soil.porosity[p] * pores.volume[p];
+    pores.box.over_cells(setup.lattice, p, [&](std::ptrdiff_t cell, double share) {
       if (share == 0) return;
       const double filled = ratio[cell];
       const double own = soil.water[p] + now * (filled + pores.surplus[cell]) - before * ratio_before[cell];
@@ -343,14 +371,17 @@ void move_points(const Setup<Space>& setup, double dt, const Tiling<Space>& tili
                  SoilPoints<Space>& soil, Team& team) {
   const auto& lattice = setup.lattice;
   change_water(setup, tiling, pores, soil, team);
+  std::array<double, 3> lowest{}, highest{};
+  for (int a = 0; a < Space::axes; ++a) {
+    lowest[a] = lattice.axis[a].at_place(setup.soil_box.low[a] + wall_gap);
+    highest[a] = lattice.axis[a].at_place(setup.soil_box.high[a] - wall_gap);
+  }
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       if (setup.materials[soil.material[p]].fixed) continue;
       const std::array<double, 3> from = position_of(soil, p);
       for (int a = 0; a < Space::axes; ++a)
-        soil.position[a][p] = std::clamp(soil.position[a][p] + dt * soil.velocity[a][p],
-                                         lattice.axis[a].at_place(setup.soil_box.low[a] + wall_gap),
-                                         lattice.axis[a].at_place(setup.soil_box.high[a] - wall_gap));
+        soil.position[a][p] = std::clamp(from[a] + dt * soil.velocity[a][p], lowest[a], highest[a]);
       if (setup.bodies.any()) {
         const auto cell = cell_of(lattice, position_of(soil, p));
         if (setup.bodies.near(lattice.index(cell[0], cell[1], cell[2]))) leave_body(setup, setup.soil_box, dt, p, soil);
