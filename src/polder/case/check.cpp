@@ -176,7 +176,14 @@ void check_initial(const Checking& c) {
       std::none_of(c.model.stages.begin(), c.model.stages.end(), [](const Stage& s) { return s.initial; }))
     report(c.diagnostics, f.place_of("stress"), f.path_of("stress"), "\"gravity\" needs a stage in which it is raised",
            "add a [[stage]] with initial = true before the others");
-  if (f.is_given("k0") && c.model.initial_stress != InitialStress::k0)
+  const bool sloping = c.model.initial_stress == InitialStress::k0_slope;
+  if (sloping && c.model.space == SpaceKind::solid)
+    report(c.diagnostics, f.place_of("stress"), f.path_of("stress"), "\"k0-slope\" is for plane strain",
+           "set stress = \"gravity\" with an initial stage that raises it");
+  if (sloping && c.model.k0.value_or(0) >= 1)
+    report(c.diagnostics, f.place_of("k0"), f.path_of("k0"), "elastic ground at rest has a K0 below 1",
+           "give less, or set stress = \"k0\"");
+  if (f.is_given("k0") && c.model.initial_stress != InitialStress::k0 && !sloping)
     report(c.diagnostics, f.place_of("k0"), f.path_of("k0"),
            fmt::format("has no meaning with stress = \"{}\"", f.text("stress")),
            "leave it out, or set stress = \"k0\"");

@@ -76,7 +76,8 @@ void check_tilt(const Sections& sections, const Model& model, Diagnostics& diagn
     report(diagnostics, own.place_of("tilt"), own.path_of("tilt"), what, help);
   };
   if (model.unsaturated) refuse("the unsaturated formulation knows upright gravity only", "take another formulation");
-  if (!model.soils.empty() && model.initial_stress == InitialStress::k0)
+  if (!model.soils.empty() &&
+      (model.initial_stress == InitialStress::k0 || model.initial_stress == InitialStress::k0_slope))
     refuse("the stress at rest by K0 is for upright gravity",
            "set initial.stress = \"gravity\" with an initial stage that raises it, or \"none\"");
   for (std::size_t i = 0; i < sections.boundaries.size(); ++i) {

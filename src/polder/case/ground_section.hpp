@@ -8,6 +8,7 @@
 namespace polder::case_file {
 
 std::vector<Key> ground_keys();
+std::vector<Key> state_keys();
 
 /// Index into Model::stages of the stage that the section names under `key`; −1 where it names none. A name that no
 /// stage has is reported.

@@ -21,7 +21,7 @@ using Point3 = std::array<double, 3>;  ///< m; in plane strain the third is unus
 
 enum class SpaceKind { plane_strain, solid };
 enum class Transfer { apic, xpic };  ///< of the soil's velocities between points and grid
-enum class InitialStress { k0, gravity, none };
+enum class InitialStress { k0, k0_slope, gravity, none };
 
 /// A polygon in the section (x, height); in 3d extruded across y from `across[0]` to `across[1]`.
 struct Region {

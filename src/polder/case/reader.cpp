@@ -254,7 +254,8 @@ Monitor read_monitor(const Fields& f, const Model& model, Diagnostics& diagnosti
 }
 
 void read_initial(const Fields& f, Model& model) {
-  static constexpr InitialStress states[] = {InitialStress::k0, InitialStress::gravity, InitialStress::none};
+  static constexpr InitialStress states[] = {InitialStress::k0, InitialStress::k0_slope, InitialStress::gravity,
+                                             InitialStress::none};
   model.water_table = points2(f.find("water_table"));
   if (const Entry* stress = f.find("stress")) model.initial_stress = states[static_cast<std::size_t>(stress->number)];
   model.initial_seepage = f.flag("seepage");

@@ -113,6 +113,16 @@ std::array<double, 2> conductivity(const Model& model, const MaterialInput& mate
   return {k, k};
 }
 
+MeshRequest ground_outlines(const Model& model, double size) {
+  MeshRequest request;
+  request.size = size;
+  for (const SoilBody& soil : model.soils) request.polygons.push_back(soil.region.polygon);
+  for (const Boundary& boundary : model.boundaries)
+    if (!boundary.side && boundary.line.size() == 2) request.lines.push_back(boundary.line);
+  for (const WallInput& wall : model.walls) request.cuts.push_back(wall.line);
+  return request;
+}
+
 ModelFlow model_flow(const Model& model, const SeepageInput& input) {
   if (model.space != SpaceKind::plane_strain)
     throw std::invalid_argument("seepage: the case is three-dimensional; seepage is computed in sections");
@@ -120,15 +130,10 @@ ModelFlow model_flow(const Model& model, const SeepageInput& input) {
   if (model.tilt != 0) throw std::invalid_argument("seepage: gravity leans (model.tilt); draw the slope as it stands");
   ModelFlow flow;
   flow.unit_weight = model.water.density * model.gravity;
-  MeshRequest request;
-  request.size = input.mesh_size > 0 ? input.mesh_size : std::max(model.cell[0], model.cell[1]);
-  for (const SoilBody& soil : model.soils) {
-    request.polygons.push_back(soil.region.polygon);
+  MeshRequest request =
+      ground_outlines(model, input.mesh_size > 0 ? input.mesh_size : std::max(model.cell[0], model.cell[1]));
+  for (const SoilBody& soil : model.soils)
     flow.materials.push_back(flow_material(model, input, model.materials[soil.material], flow.unit_weight));
-  }
-  for (const Boundary& boundary : model.boundaries)
-    if (!boundary.side && boundary.line.size() == 2) request.lines.push_back(boundary.line);
-  for (const WallInput& wall : model.walls) request.cuts.push_back(wall.line);
   for (const SeepageCondition& condition : input.conditions) request.lines.push_back(condition.line);
   flow.mesh = input.mesh_file.empty() ? make_mesh(request) : mesh_of_file(input.mesh_file, request);
   if (!input.mesh_file.empty()) request.size = typical_size(flow.mesh);

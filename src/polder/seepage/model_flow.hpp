@@ -4,6 +4,7 @@
 
 #include "polder/case/seepage_input.hpp"
 #include "polder/seepage/flow.hpp"
+#include "polder/seepage/mesher.hpp"
 
 namespace polder {
 
@@ -15,6 +16,10 @@ struct ModelFlow {
   double unit_weight = 9810;
   FlowProblem problem() const { return {&mesh, materials, boundaries, unit_weight}; }
 };
+
+/// A mesh of the case's ground with sides of `size`, m: its bodies of soil, the lines of its boundaries, cut at its
+/// walls.
+MeshRequest ground_outlines(const Model& model, double size);
 
 /// Heads act where the soil touches a reservoir (its head) or free water (its surface at the start); sides of the model
 /// and lines are what their boundaries say, closed by default; soil that borders on air may seep. What `input` says of

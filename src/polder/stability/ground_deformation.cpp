@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "polder/stability/ground_supports.hpp"
 #include "polder/stability/section_from_model.hpp"
 
 namespace polder {
@@ -31,22 +32,6 @@ FemMaterial material_of(const Model& model, const MaterialInput& material, const
   return m;
 }
 
-/// What holds a side of the outline: along the boundaries of the model as they say, sides of the model by default
-/// smooth.
-SoilCondition held(const Model& model, const Point2& middle, bool upright, double near) {
-  const bool at_side = upright ? middle[0] < near || middle[0] > model.size[0] - near : middle[1] < near;
-  for (const Boundary& given : model.boundaries) {
-    const bool on = given.side
-                        ? (*given.side == Side::base    ? !upright && middle[1] < near
-                           : *given.side == Side::left  ? upright && middle[0] < near
-                           : *given.side == Side::right ? upright && middle[0] > model.size[0] - near
-                                                        : false)
-                        : given.line.size() == 2 && distance_to_segment(middle, given.line[0], given.line[1]) < near;
-    if (on && (given.soil != SoilCondition::none || !at_side)) return given.soil;
-  }
-  return at_side ? SoilCondition::roller : SoilCondition::none;
-}
-
 }  // namespace
 
 GroundDeformation::GroundDeformation(const Model& model, const SeepageInput& input, const ModelFlow& flow)
@@ -62,17 +47,7 @@ GroundDeformation::GroundDeformation(const Model& model, const SeepageInput& inp
     c_k_.push_back(material.permeability_change.value_or(0));
   }
   const double near = 1e-4 * (input.mesh_size > 0 ? input.mesh_size : std::max(model.cell[0], model.cell[1]));
-  for (const MeshEdge& side : outline(mesh_)) {
-    const Point2 &a = mesh_.nodes[side.a], &b = mesh_.nodes[side.b];
-    const bool upright = std::abs(a[0] - b[0]) < near, level = std::abs(a[1] - b[1]) < near;
-    if (!upright && !level) continue;
-    const SoilCondition condition = held(model, mesh_.nodes[side.middle], upright, near);
-    if (condition == SoilCondition::none) continue;
-    FemSupport support{{a, b}, {}, {}};
-    if (upright || condition == SoilCondition::rough) support.x = 0.0;
-    if (level || condition == SoilCondition::rough) support.y = 0.0;
-    problem.supports.push_back(std::move(support));
-  }
+  problem.supports = ground_supports(model, mesh_, near);
   if (problem.supports.empty())
     throw std::invalid_argument("seepage.deformation: nothing holds the ground; it touches no side of the model");
   solver_ = std::make_unique<FemSolver>(std::move(problem));

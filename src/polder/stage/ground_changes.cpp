@@ -9,7 +9,7 @@
 #include "polder/case/grid_sites.hpp"
 #include "polder/points/seed.hpp"
 #include "polder/stage/initial.hpp"
-#include "polder/stage/unsaturated_start.hpp"
+#include "polder/stage/stress_at_rest.hpp"
 #include "polder/step/pore_curves.hpp"
 #include "polder/step/soil_volume.hpp"
 
@@ -139,10 +139,7 @@ void place(const Model& model, const GroundChange& change, std::uint64_t first_i
   remove_points(water, displaced);
 
   if (level > 0) only.water_table = {{0, level}, {lattice.length(0), level}};
-  if (model.initial_stress == InitialStress::k0 && model.unsaturated)
-    set_unsaturated_k0_stress(only, state.setup, placed);
-  else if (model.initial_stress == InitialStress::k0)
-    set_k0_stress(only, state.setup, placed);
+  set_stress_at_rest(only, state.setup, placed, true);
   start_law_state(state.setup, 0, placed);
   for (std::size_t p = 0; state.unsaturated && p < placed.size();
        ++p) {  // as moist as soil at this height at the start

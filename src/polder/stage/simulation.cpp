@@ -13,7 +13,7 @@
 #include "polder/stage/rest.hpp"
 #include "polder/stage/seepage_start.hpp"
 #include "polder/stage/sound.hpp"
-#include "polder/stage/unsaturated_start.hpp"
+#include "polder/stage/stress_at_rest.hpp"
 
 namespace polder {
 
@@ -33,10 +33,7 @@ Stepper<Space> make_stepper(const Model& model, int threads) {
   Setup<Space> setup = make_setup<Space>(model);
   SeededPoints<Space> points = seed_points<Space>(model, setup.lattice);
   mark_loaded_points(model, setup.lattice, -1, points.soil);
-  if (model.initial_stress == InitialStress::k0 && model.unsaturated)
-    set_unsaturated_k0_stress(model, setup, points.soil);
-  else if (model.initial_stress == InitialStress::k0)
-    set_k0_stress(model, setup, points.soil);
+  set_stress_at_rest(model, setup, points.soil);
   start_law_state(setup, 0, points.soil);
   const double start = std::accumulate(model.stages.begin(), model.stages.end(), 0.0,
                                        [](double t, const Stage& s) { return s.initial ? t - s.duration : t; });

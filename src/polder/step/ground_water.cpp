@@ -118,6 +118,56 @@ std::vector<int> ground_conditions(const Setup<Space>& setup, const SoilPoints<S
   return ground;
 }
 
+namespace {
+
+/// Where the ground rises by more than a cell from one column to the next, along `axis`, it has a side: what of it the
+/// lower column leaves free is a seepage face, or under the water that stands there. way(cell, axis, distance): a
+/// conductance.
+template <class Space, class Way>
+void step_exits(const Setup<Space>& setup, const std::vector<int>& ground, double dt, int axis,
+                const PoreFields<Space>& pores, const GroundCover* cover, Way&& way, std::vector<PoreExit>& exits) {
+  constexpr double unbounded = -std::numeric_limits<double>::infinity();
+  const auto& lattice = setup.lattice;
+  const GridAxis& upwards = lattice.axis[Space::up];
+  const Array heights = ground_heights(setup, pores.bulk);
+  const auto to_next = static_cast<std::ptrdiff_t>(axis == 0 ? 1 : lattice.cells[0]);  // column
+  over_columns(lattice, [&](std::size_t column, double, std::ptrdiff_t lowest) {
+    if (heights[column] < 0) return;
+    if (ground[column] >= 0 && setup.pore_water[ground[column]].kind != SeepageCondition::Kind::seepage) return;
+    const int place = lattice.place(lowest, axis), top = surface_of(setup, pores.bulk, lowest).level;
+    for (const int way_to : {-1, 1}) {
+      if (place + way_to < 0 || place + way_to >= lattice.cells[axis]) continue;
+      const std::size_t lower = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(column) + way_to * to_next);
+      const double foot = std::max(heights[lower], 0.0);
+      for (int level = top - 1; level >= 0 && upwards.edge(level) >= foot - 1e-6 * upwards.width(level); --level) {
+        const std::ptrdiff_t cell = lowest + level * lattice.stride[Space::up];
+        const std::ptrdiff_t face = way_to < 0 ? cell : cell + lattice.stride[axis];
+        const double open = setup.shut(axis, face) ? 0 : setup.bodies.open_face(axis, face);
+        if (!pores.active[cell] || pores.host[cell] >= 0 || !(open > 0)) continue;
+        PoreExit exit{cell, open * way(cell, axis, 0.5 * lattice.axis[axis].width(place)),
+                      pores.over_ground[cell + way_to * lattice.stride[axis]], 0};
+        if (exit.level > 0) {
+          exit.conductance *= 0.5 * (1 + 1 / std::max(pores.relative[cell], 1e-12));
+          exit.least = cover ? -std::max(0.0, cover->available[lower]) / dt : unbounded;
+        }
+        if (cover) exit.column = static_cast<int>(lower);
+        exits.push_back(exit);
+      }
+    }
+  });
+}
+
+/// No more seeps in from a column's free water than there is, wherever it goes.
+void share_available(std::vector<PoreExit>& exits, std::size_t columns) {
+  std::vector<int> takers(columns, 0);
+  for (const PoreExit& exit : exits)
+    if (exit.column >= 0 && exit.least < 0) ++takers[static_cast<std::size_t>(exit.column)];
+  for (PoreExit& exit : exits)
+    if (exit.column >= 0 && exit.least < 0) exit.least /= takers[static_cast<std::size_t>(exit.column)];
+}
+
+}  // namespace
+
 template <class Space>
 std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<int>& ground, double time, double dt,
                                  double gravity, const PoreFields<Space>& pores, const GroundCover* cover) {
@@ -169,6 +219,8 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
                        given_head ? weight * (head - 0.5 * h) : -weight * 0.5 * h, given_head ? unbounded : 0});
     }
   });
+  for (int axis = 0; axis < Space::up; ++axis) step_exits(setup, ground, dt, axis, pores, cover, way, exits);
+  if (cover) share_available(exits, cover->pressure.size());
   // the two ends of the model
   for (const SeepageCondition& condition : setup.pore_water) {
     if (condition.line.empty() || condition.kind == Kind::closed || condition.kind == Kind::rain) continue;
@@ -204,6 +256,14 @@ bool set_standing_water(const Setup<Space>& setup, const std::vector<int>& groun
   over_columns(lattice, [&](std::size_t column, double x, std::ptrdiff_t lowest) {
     const SeepageCondition* given = ground[column] >= 0 ? &setup.pore_water[ground[column]] : nullptr;
     const bool head = given && given->kind == SeepageCondition::Kind::head;
+    if (cover && cover->bare[column] > 0) {
+      any = true;
+      for (int k = 0; k < lattice.cells[Space::up] && upwards.centre(k) < cover->bare[column]; ++k) {
+        const std::ptrdiff_t cell = lowest + k * lattice.stride[Space::up];
+        if (!setup.bodies.covered(cell)) pores.over_ground[cell] = weight * (cover->bare[column] - upwards.centre(k));
+      }
+      return;
+    }
     if (!head && (!cover || cover->pressure[column] <= 0)) return;
     const Surface top = surface_of(setup, pores.bulk, lowest);
     const double level = head ? head_of(*given, time, on_line(given->line, x).share)

@@ -11,6 +11,7 @@ struct GroundCover {
   Array pressure;   ///< Pa, at the ground; 0 where none stands on it
   Array available;  ///< m³ that may seep in; below 0: what the air takes out
   Array gained;     ///< m³ that has come out of the ground; below 0: seeped in
+  Array bare;       ///< m above the model's base: surface of water that stands where there is no soil; 0: none
 };
 
 /// m above the model's base: top of the soil of each column; −1 where there is none.

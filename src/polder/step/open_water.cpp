@@ -36,20 +36,29 @@ Setup<Space> of_water(Setup<Space> setup) {
   return setup;
 }
 
+/// How upright the ground's outline is where it rises from one column to the next: 0, a line between their middles, up
+/// to a rise of one cell; 1, a step at the face between them, from two cells on.
+template <class Space>
+double uprightness(const Lattice<Space>& lattice, double rise) {
+  return std::clamp(std::abs(rise) / lattice.spacing[Space::up] - 1, 0.0, 1.0);
+}
+
 /// Height of the ground's outline at x, m; that of the model's base where there is no soil.
 template <class Space>
 double ground_at(const Lattice<Space>& lattice, const Array& ground, double x) {
   const auto& axis = lattice.axis[0];
   const int last = lattice.cells[0] - 1, own = std::clamp(static_cast<int>(axis.place(x)), 0, last);
   const int other = std::clamp(x < axis.centre(own) ? own - 1 : own + 1, 0, last);
-  const double own_height = std::max(ground[own], 0.0);
-  if (other == own) return own_height;
-  const double t = (x - axis.centre(own)) / (axis.centre(other) - axis.centre(own));
-  return own_height + t * (std::max(ground[other], 0.0) - own_height);
+  const double own_height = std::max(ground[own], 0.0), rise = std::max(ground[other], 0.0) - own_height;
+  const double level_share = uprightness(lattice, rise) * 0.5 * axis.width(own);  // m beside the middle
+  const double way = std::abs(x - axis.centre(own)) - level_share;
+  const double all = std::abs(axis.centre(other) - axis.centre(own)) -
+                     uprightness(lattice, rise) * 0.5 * (axis.width(own) + axis.width(other));
+  return other == own || way <= 0 || all <= 0 ? own_height : own_height + std::min(1.0, way / all) * rise;
 }
 
-/// The ground as a polygon, through the tops of the columns in their middles, with a step at thin walls; empty without
-/// any soil.
+/// The ground as a polygon, through the tops of the columns in their middles, with a step at thin walls and where it is
+/// upright; empty without any soil.
 template <class Space>
 std::vector<Point2> ground_outline(const Setup<Space>& setup, const Array& ground) {
   const auto& lattice = setup.lattice;
@@ -66,6 +75,9 @@ std::vector<Point2> ground_outline(const Setup<Space>& setup, const Array& groun
       if (setup.walls.blocked(0, lattice.index(i, level))) {
         outline.push_back({x.edge(i), height(i - 1)});
         outline.push_back({x.edge(i), height(i)});
+      } else if (const double upright = uprightness(lattice, height(i) - height(i - 1)); upright > 0) {
+        outline.push_back({x.centre(i - 1) + upright * 0.5 * x.width(i - 1), height(i - 1)});
+        outline.push_back({x.centre(i) - upright * 0.5 * x.width(i), height(i)});
       }
     }
     outline.push_back({x.centre(i), height(i)});
@@ -92,7 +104,7 @@ OpenWater<Space>::OpenWater(const Setup<Space>& setup, const SoilPoints<Space>& 
   inner_->next_water_id = water_points;
   account_.assign(ground_.size(), 0.0);
   wanted_by_air_ = on_ground_ = account_;
-  cover = {account_, account_, account_};
+  cover = {account_, account_, account_, account_};
   surface_.assign(ground_.size(), -1);
 }
 
@@ -227,8 +239,9 @@ void OpenWater<Space>::set_cover(double gravity) {
   const Array& volume = inner_->grid.water_volume;
   const double weight = inner_->setup.water.density * gravity;
   const std::ptrdiff_t rise = lattice.stride[Space::up];
+  const GridAxis& upwards = lattice.axis[Space::up];
   for (std::size_t i = 0; i < account_.size(); ++i) {
-    cover.pressure[i] = cover.gained[i] = cover.available[i] = on_ground_[i] = 0;
+    cover.pressure[i] = cover.gained[i] = cover.available[i] = cover.bare[i] = on_ground_[i] = 0;
     const std::ptrdiff_t cell = surface_[i];
     if (cell < 0) continue;
     const int level = lattice.place(cell, Space::up);
@@ -239,7 +252,11 @@ void OpenWater<Space>::set_cover(double gravity) {
     // the ground does not pay what water has run away with
     const double held = std::max(0.0, on_ground_[i] + account_[i]);
     cover.available[i] = held - wanted_by_air_[i];
-    if (ground_[i] >= 0) cover.pressure[i] = weight * held / lattice.face_area(Space::up, cell);
+    const double depth = held / lattice.face_area(Space::up, cell);
+    if (ground_[i] >= 0)
+      cover.pressure[i] = weight * depth;
+    else if (depth > 0)
+      cover.bare[i] = upwards.edge(level) + (1 - inner_->setup.bodies.own_share(cell)) * upwards.width(level) + depth;
   }
 }
 

@@ -10,7 +10,8 @@ namespace polder {
 namespace {
 
 constexpr int most_iterations = 60;
-constexpr int full_steps = 6;  // of Newton; then a step that makes the error larger is taken back by halves
+constexpr int full_steps = 6;      // of Newton; then a step that makes the error larger is taken back by halves
+constexpr int settled_after = 12;  // iterations: then conductivities stay as they are, or both may go round in a circle
 constexpr double least_share = 1.0 / 64;
 constexpr double closed_to = 1e-9;  // of its pores: error of a cell's balance at which Newton ends
 
@@ -52,6 +53,7 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
   Array increment(coupled.size(), 0.0);
   Array conducts[Space::axes];
   for (auto& c : conducts) c = lattice.make_array();
+  Array pressure_before, content_before;  // the last step of Newton, for the chord between
   SolveResult total;
   double last_error = 0, share = 1;  // of the increment, that has been added
 
@@ -83,7 +85,7 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
     for (int a = 0; a < Space::axes; ++a)
       over_face_rows(lattice, grid.rows, a, team, [&](std::ptrdiff_t first, int count, const auto&) {
         for (std::ptrdiff_t f = first; f < first + count; ++f) {
-          conducts[a][f] = conductance(setup, pores, a, f);
+          if (iteration < settled_after) conducts[a][f] = conductance(setup, pores, a, f);
           pores.flow[a][f] = flow(a, f);
         }
       });
@@ -98,7 +100,11 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
         for (int a = 0; a < Space::axes; ++a) solver.matrix.coupling[a][cell] = 0;
         solver.matrix.diagonal[cell] = solver.right_side[cell] = 0;
         if (!pores.active[cell] || pores.host[cell] >= 0) continue;
-        double out = 0, sum = pores.storage[cell] / dt;
+        double slope = pores.storage[cell];
+        if (iteration > full_steps && grid.pressure[cell] != pressure_before[cell])
+          slope = std::max(
+              slope, (pores.content[cell] - content_before[cell]) / (grid.pressure[cell] - pressure_before[cell]));
+        double out = 0, sum = slope / dt;
         for (int a = 0; a < Space::axes; ++a)
           for (const int end : {0, 1}) {
             const std::ptrdiff_t f = cell + end * lattice.stride[a], other = end == 0 ? cell - lattice.stride[a] : f;
@@ -159,6 +165,10 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
     }
     last_error = error;
     share = 1;
+    if (iteration >= full_steps) {
+      pressure_before = grid.pressure;
+      content_before = pores.content;
+    }
     std::fill(increment.begin(), increment.end(), 0.0);
     const SolveResult result = solver.solve(grid.rows, increment, setup.numerics.pressure_tolerance, 400, team);
     total.iterations += result.iterations;
