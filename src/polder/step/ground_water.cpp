@@ -94,6 +94,7 @@ Array ground_heights(const Setup<Space>& setup, const SoilPoints<Space>& soil) {
     PointCells<Space>(setup, position_of(soil, p), box_half(setup, soil, p))
         .over_cells(setup.lattice,
                     [&](std::ptrdiff_t cell, double share) { bulk[cell] += share * bulk_volume(setup, soil, p); });
+  if (setup.periodic) fold(bulk, -1, false, setup.soil_box, setup.lattice);
   return ground_heights(setup, bulk);
 }
 
@@ -180,14 +181,15 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
     double low = 1e300, high = -1e300;
     for (const auto& p : condition.line) low = std::min(low, p[1]), high = std::max(high, p[1]);
     const int deep = Space::axes == 3 ? lattice.cells[1] : 1, i = left ? 0 : lattice.cells[0] - 1;
+    const double half = 0.5 * lattice.axis[0].width(i);
+    const double lean = setup.water.density * setup.pull(0) * (left ? -half : half);  // Pa, from the centre to the end
     for (int j = 0; j < deep; ++j)
       for (int level = 0; level < lattice.cells[Space::up]; ++level) {
         const double y = upwards.centre(level);
         const std::ptrdiff_t cell = Space::axes == 3 ? lattice.index(i, j, level) : lattice.index(i, level);
         if (y < low || y > high || !pores.active[cell] || pores.host[cell] >= 0) continue;
         const double over = condition.kind == Kind::head ? head_of(condition, time, 0) - y : 0;
-        exits.push_back({cell, way(cell, 0, 0.5 * lattice.axis[0].width(i)), weight * std::max(over, 0.0),
-                         over > 0 ? unbounded : 0});
+        exits.push_back({cell, way(cell, 0, half), weight * std::max(over, 0.0) - lean, over > 0 ? unbounded : 0});
       }
   }
   return exits;
