@@ -54,8 +54,7 @@ void refuse_free_water(const Sections& sections, const Model& model, std::string
   const auto refuse = [&](const Fields& f, std::string_view key, std::string_view help) {
     report(diagnostics, f.place_of(key), f.path_of(key), std::string(what), std::string(help));
   };
-  for (const Fields& f : sections.free_water)
-    refuse(f, "box", "leave it out, or take the double-point formulation");
+  for (const Fields& f : sections.free_water) refuse(f, "box", "leave it out, or take the double-point formulation");
   for (const Fields& f : sections.rains) refuse(f, "rate", "give condition = \"rain\" by a [[seepage_boundary]]");
   for (std::size_t i = 0; i < model.boundaries.size(); ++i) {
     const WaterCondition water = model.boundaries[i].water;

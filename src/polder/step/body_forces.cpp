@@ -28,7 +28,8 @@ std::vector<BodyForce> body_forces(const Setup<Space>& setup, double dt, const G
                          (setup.bodies.open_face(a, cell + lattice.stride[a]) - setup.bodies.open_face(a, cell));
         if (area[0] == 0 && area[1] == 0 && setup.bodies.open_cell(cell) == 1) continue;
         const BodyContact at = setup.bodies.contact({lattice.axis[0].centre(i), lattice.axis[up].centre(level)});
-        // ∫ (y − y_c) n_y dA of them by the divergence theorem: p = p_c − γ (y − y_c); likewise along x where gravity leans
+        // ∫ (y − y_c) n_y dA of them by the divergence theorem: p = p_c − γ (y − y_c); likewise along x where gravity
+        // leans
         for (const int a : {0, up}) {
           if (setup.pull(a) == 0) continue;
           const double rises =

@@ -191,8 +191,8 @@ void prepare_cells(const Setup<Space>& setup, GridFields<Space>& grid, PoreField
       grid.pressure[cell] = 0;
     } else if (host >= 0) {  // its host's, as still water
       const double rise = cells_between(lattice.axis[Space::up], lattice.place(host, Space::up), place[Space::up]);
-      grid.pressure[cell] = grid.pressure[host] + rise * setup.water.density * setup.pull(Space::up) *
-                                                      lattice.spacing[Space::up];
+      grid.pressure[cell] =
+          grid.pressure[host] + rise * setup.water.density * setup.pull(Space::up) * lattice.spacing[Space::up];
       if (setup.tilt != 0)
         grid.pressure[cell] += setup.water.density * setup.pull(0) * lattice.spacing[0] *
                                way_along(setup, lattice.place(host, 0), place[0]);

@@ -47,7 +47,7 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, std::vecto
                                 GridFields<Space>& grid, PoreFields<Space>& pores, PressureSolver<Space>& solver,
                                 Team& team) {
   const auto& lattice = setup.lattice;
-  double weight[Space::axes];  // of the water against the axis, Pa/m
+  double weight[Space::axes];                     // of the water against the axis, Pa/m
   int lowest[Space::axes], highest[Space::axes];  // cells with a side of the model
   for (int a = 0; a < Space::axes; ++a) {
     const bool joined = setup.soil_box.periodic(a);
@@ -188,7 +188,7 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, std::vecto
 template SolveResult solve_pore_pressure(const Setup<PlaneStrain>&, double, std::vector<PoreExit>&,
                                          GridFields<PlaneStrain>&, PoreFields<PlaneStrain>&,
                                          PressureSolver<PlaneStrain>&, Team&);
-template SolveResult solve_pore_pressure(const Setup<Solid>&, double, std::vector<PoreExit>&,
-                                         GridFields<Solid>&, PoreFields<Solid>&, PressureSolver<Solid>&, Team&);
+template SolveResult solve_pore_pressure(const Setup<Solid>&, double, std::vector<PoreExit>&, GridFields<Solid>&,
+                                         PoreFields<Solid>&, PressureSolver<Solid>&, Team&);
 
 }  // namespace polder

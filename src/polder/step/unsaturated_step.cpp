@@ -182,7 +182,8 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
   fill_pores(setup, grid, pores, team);
   if (held) {  // pressures are given: the ground takes or gives what they ask for
     double change = 0;
-    over_all_cells(lattice, [&](std::ptrdiff_t cell, const auto&) { change += pores.content[cell] - pores.water[cell]; });
+    over_all_cells(lattice,
+                   [&](std::ptrdiff_t cell, const auto&) { change += pores.content[cell] - pores.water[cell]; });
     exchanged.push_back({lattice.index(0, 0), change});
     for (std::size_t cell = 0; cell < pores.content.size(); ++cell) {
       pores.surplus[cell] =

@@ -143,8 +143,7 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
     pores.resistance[0][cell] = sums[3];
   }
   if (setup.periodic)
-    for (Array* field : {&pores.bulk, &pores.yielding, &pores.water, &pores.resistance[0]})
-      fold_ends(setup, *field);
+    for (Array* field : {&pores.bulk, &pores.yielding, &pores.water, &pores.resistance[0]}) fold_ends(setup, *field);
   if (setup.anisotropic && setup.periodic) fold_ends(setup, pores.resistance[1]);
   if (!setup.anisotropic) pores.resistance[1] = pores.resistance[0];
   for (int c = 0; c < Space::axes; ++c) {
@@ -392,7 +391,8 @@ void move_points(const Setup<Space>& setup, double dt, const Tiling<Space>& tili
   const auto& lattice = setup.lattice;
   change_water(setup, tiling, pores, soil, team);
   std::array<double, 3> lowest{}, highest{};
-  for (int a = 0; a < Space::axes; ++a) {  // points may pass the ends of a periodic model, to be brought in at the other
+  for (int a = 0; a < Space::axes;
+       ++a) {  // points may pass the ends of a periodic model, to be brought in at the other
     const double gap = setup.soil_box.periodic(a) ? -1 : wall_gap;
     lowest[a] = lattice.axis[a].at_place(setup.soil_box.low[a] + gap);
     highest[a] = lattice.axis[a].at_place(setup.soil_box.high[a] - gap);
@@ -402,6 +402,7 @@ void move_points(const Setup<Space>& setup, double dt, const Tiling<Space>& tili
       if (setup.materials[soil.material[p]].fixed) continue;
       const std::array<double, 3> from = position_of(soil, p);
       for (int a = 0; a < Space::axes; ++a)
+        soil.position[a][p] = std::clamp(from[a] + dt * soil.velocity[a][p], lowest[a], highest[a]);
       if (setup.bodies.any()) {
         const auto cell = cell_of(lattice, position_of(soil, p));
         if (setup.bodies.near(lattice.index(cell[0], cell[1], cell[2]))) leave_body(setup, setup.soil_box, dt, p, soil);
