@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 #include <numeric>
+#include <random>
 
 #include "case_text.hpp"
 #include "polder/stage/checkpoint.hpp"
@@ -173,6 +174,40 @@ TEST(UnsaturatedPeriodic, IsTheSameToAnObserverWhoMoves) {
       EXPECT_LT(most, 1e-10);
       EXPECT_LT(off, 1e-8 * water_weight);
     }
+  }
+}
+
+TEST(UnsaturatedPeriodic, KeepsTheMomentumOfRandomMotions) {
+  for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u, 7u, 8u}) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal(0, 0.1);
+    Sim run(read_text(
+                model("[2, 3]", "0.25", "periodic = true\n") + block(0, 0, 2, 2) +
+                fmt::format("[initial]\nwater_table = [[0, {0}], [2, {0}]]\n[[stage]]\nname = \"run\"\nduration = 1\n",
+                            std::uniform_real_distribution<double>(0.2, 2)(random))),
+            1);
+    auto& soil = run.state().soil;
+    const double drift = 10 * normal(random);
+    for (double& v : soil.velocity[0]) v = drift + normal(random);
+    for (double& v : soil.velocity[1]) v = normal(random);
+    run.begin_anew();
+    const auto momentum = [&](bool size) {  // along x, in which nothing acts from outside
+      double sum = 0;
+      for (std::size_t p = 0; p < soil.size(); ++p) {
+        const double v = soil.velocity[0][p];
+        sum += (soil.mass[p] + 1000 * soil.water[p]) * (size ? std::abs(v) : v);
+      }
+      return sum;
+    };
+    const double before = momentum(false), scale = momentum(true);
+    double worst = 0;
+    for (int step = 0; step < 60; ++step) {
+      run.advance();
+      worst = std::max(worst, std::abs(momentum(false) - before) / scale);
+    }
+    EXPECT_LT(worst, 5e-6);  // the water that goes from point to point has its own, which is left out
+    EXPECT_LT(run.audit().water_balance_error(run.state()), 1e-12);
   }
 }
 

@@ -198,7 +198,7 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
     for (int a = 0; a < Space::axes; ++a) {
       if (place[a] == 0 && !setup.soil_box.periodic(a)) continue;
       left[cell] += dt * pores.flow[a][cell];
-      left[below(cell, a)] -= dt * pores.flow[a][cell];
+      left[place[a] > 0 ? cell - lattice.stride[a] : below(cell, a)] -= dt * pores.flow[a][cell];
     }
   });
   for (const PoreExit& exit : exits) {
