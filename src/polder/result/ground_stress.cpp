@@ -29,13 +29,14 @@ double total_vertical_stress(const Simulation<Space>& run, const std::array<doub
   const auto& soil = state.soil;
   const auto& lattice = state.setup.lattice;
   const auto here = cell_of(lattice, place);
+  const double gravity = -state.setup.pull(up);
   std::array<double, 3> h{1, 1, 1};
   for (int a = 0; a < Space::axes; ++a) h[a] = lattice.axis[a].width(here[a]);
   // of the cell, which is what acts on its soil; between the cells' centres heads bend where the soil changes
   const auto cell_pressure = [&](const std::array<double, 3>& x) {
     const auto cell = cell_of(lattice, x);
     return state.grid.pressure[lattice.index(cell[0], cell[1], cell[2])] +
-           state.setup.water.density * state.setup.gravity * (lattice.axis[up].centre(cell[up]) - x[up]);
+           state.setup.water.density * gravity * (lattice.axis[up].centre(cell[up]) - x[up]);
   };
   double volume = 0, stress = 0;
   for (std::size_t p = 0; p < soil.size(); ++p) {
@@ -49,7 +50,7 @@ double total_vertical_stress(const Simulation<Space>& run, const std::array<doub
         state.setup.unsaturated ? saturation(state.setup.pores[soil.material[p]].retention, -pressure) : 1;
     const double density = (soil.mass[p] + state.setup.water.density * soil.water[p]) / v;
     volume += v;
-    stress += v * (wet * pressure - soil.stress[up][p] + density * state.setup.gravity * above);
+    stress += v * (wet * pressure - soil.stress[up][p] + density * gravity * above);
   }
   return volume > 0 ? stress / volume : 0;
 }

@@ -156,7 +156,7 @@ double excess_pressure(const Simulation<Space>& run, const Point3& place) {
     if (lattice.graded)
       share[a] = std::clamp((place[a] - lattice.axis[a].centre(low[a])) / lattice.axis[a].gap(low[a] + 1), 0.0, 1.0);
   }
-  const double weight = run.state().setup.water.density * run.state().setup.gravity;
+  const double weight = -run.state().setup.water.density * run.state().setup.pull(Space::up);
   const auto at_rest = [&](double x, double height) {
     const auto& table = run.model().water_table;
     return table.empty() ? 0 : weight * std::max(0.0, height_at(table, x) - height);

@@ -28,12 +28,16 @@ std::vector<BodyForce> body_forces(const Setup<Space>& setup, double dt, const G
                          (setup.bodies.open_face(a, cell + lattice.stride[a]) - setup.bodies.open_face(a, cell));
         if (area[0] == 0 && area[1] == 0 && setup.bodies.open_cell(cell) == 1) continue;
         const BodyContact at = setup.bodies.contact({lattice.axis[0].centre(i), lattice.axis[up].centre(level)});
-        // ∫ (y − y_c) n_y dA of them by the divergence theorem: p = p_c − γ (y − y_c)
-        const double rises =
-            0.5 * lattice.cell_volume(cell) *
-                (setup.bodies.open_face(up, cell + lattice.stride[up]) + setup.bodies.open_face(up, cell)) -
-            lattice.cell_volume(cell) * setup.bodies.open_cell(cell);
-        forces[at.section].water[1] += filled * setup.water.density * setup.gravity * rises;
+        // ∫ (y − y_c) n_y dA of them by the divergence theorem: p = p_c − γ (y − y_c); likewise along x where gravity
+        // leans
+        for (const int a : {0, up}) {
+          if (setup.pull(a) == 0) continue;
+          const double rises =
+              0.5 * lattice.cell_volume(cell) *
+                  (setup.bodies.open_face(a, cell + lattice.stride[a]) + setup.bodies.open_face(a, cell)) -
+              lattice.cell_volume(cell) * setup.bodies.open_cell(cell);
+          forces[at.section].water[a != 0] -= filled * setup.water.density * setup.pull(a) * rises;
+        }
         for (std::size_t a = 0; a < 2; ++a) {
           forces[at.section].water[a] -= filled * grid.pressure[cell] * area[a];
           forces[at.section].displaced += at.velocity[a] * area[a];

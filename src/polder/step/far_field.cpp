@@ -107,7 +107,9 @@ void know_far_ground(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
 template <class Space>
 double far_dashpot(const Setup<Space>& setup, const GridFields<Space>& grid, int c, std::array<int, 3> at) {
   const auto& lattice = setup.lattice;
-  const bool high = at[c] == lattice.cells[c], end = high || at[c] == 0;
+  const bool joined = setup.soil_box.periodic(c);
+  if (joined && at[c] == lattice.cells[c]) at[c] = 0;
+  const bool high = at[c] == lattice.cells[c], end = !joined && (high || at[c] == 0);
   at[c] -= high;
   const std::ptrdiff_t cell = lattice.index(at[0], at[1], at[2]);
   double sum = 0;

@@ -94,6 +94,7 @@ Array ground_heights(const Setup<Space>& setup, const SoilPoints<Space>& soil) {
     PointCells<Space>(setup, position_of(soil, p), box_half(setup, soil, p))
         .over_cells(setup.lattice,
                     [&](std::ptrdiff_t cell, double share) { bulk[cell] += share * bulk_volume(setup, soil, p); });
+  if (setup.periodic) fold(bulk, -1, false, setup.soil_box, setup.lattice);
   return ground_heights(setup, bulk);
 }
 
@@ -136,17 +137,22 @@ void step_exits(const Setup<Space>& setup, const std::vector<int>& ground, doubl
     if (ground[column] >= 0 && setup.pore_water[ground[column]].kind != SeepageCondition::Kind::seepage) return;
     const int place = lattice.place(lowest, axis), top = surface_of(setup, pores.bulk, lowest).level;
     for (const int way_to : {-1, 1}) {
-      if (place + way_to < 0 || place + way_to >= lattice.cells[axis]) continue;
-      const std::size_t lower = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(column) + way_to * to_next);
+      int other = place + way_to;
+      const bool beyond = other < 0 || other >= lattice.cells[axis];
+      if (beyond && !setup.soil_box.periodic(axis)) continue;
+      if (beyond) other = other < 0 ? lattice.cells[axis] - 1 : 0;
+      const auto lower = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(column) + (other - place) * to_next);
+      const double half = 0.5 * lattice.axis[axis].width(place);
       const double foot = std::max(heights[lower], 0.0);
       for (int level = top - 1; level >= 0 && upwards.edge(level) >= foot - 1e-6 * upwards.width(level); --level) {
         const std::ptrdiff_t cell = lowest + level * lattice.stride[Space::up];
         const std::ptrdiff_t face = way_to < 0 ? cell : cell + lattice.stride[axis];
         const double open = setup.shut(axis, face) ? 0 : setup.bodies.open_face(axis, face);
         if (!pores.active[cell] || pores.host[cell] >= 0 || !(open > 0)) continue;
-        PoreExit exit{cell, open * way(cell, axis, 0.5 * lattice.axis[axis].width(place)),
-                      pores.over_ground[cell + way_to * lattice.stride[axis]], 0};
-        if (exit.level > 0) {
+        const double standing = pores.over_ground[cell + way_to * lattice.stride[axis]];
+        PoreExit exit{cell, open * way(cell, axis, half),
+                      standing - setup.water.density * setup.pull(axis) * way_to * half, 0};
+        if (standing > 0) {
           exit.conductance *= 0.5 * (1 + 1 / std::max(pores.relative[cell], 1e-12));
           exit.least = cover ? -std::max(0.0, cover->available[lower]) / dt : unbounded;
         }
@@ -232,14 +238,15 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
     double low = 1e300, high = -1e300;
     for (const auto& p : condition.line) low = std::min(low, p[1]), high = std::max(high, p[1]);
     const int deep = Space::axes == 3 ? lattice.cells[1] : 1, i = left ? 0 : lattice.cells[0] - 1;
+    const double half = 0.5 * lattice.axis[0].width(i);
+    const double lean = setup.water.density * setup.pull(0) * (left ? -half : half);  // Pa, from the centre to the end
     for (int j = 0; j < deep; ++j)
       for (int level = 0; level < lattice.cells[Space::up]; ++level) {
         const double y = upwards.centre(level);
         const std::ptrdiff_t cell = Space::axes == 3 ? lattice.index(i, j, level) : lattice.index(i, level);
         if (y < low || y > high || !pores.active[cell] || pores.host[cell] >= 0) continue;
         const double over = condition.kind == Kind::head ? head_of(condition, time, 0) - y : 0;
-        exits.push_back({cell, way(cell, 0, 0.5 * lattice.axis[0].width(i)), weight * std::max(over, 0.0),
-                         over > 0 ? unbounded : 0});
+        exits.push_back({cell, way(cell, 0, half), weight * std::max(over, 0.0) - lean, over > 0 ? unbounded : 0});
       }
   }
   return exits;

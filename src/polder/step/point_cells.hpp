@@ -1,7 +1,7 @@
 #pragma once
 // The cells that a soil point of the unsaturated formulation counts for: those that its box overlaps, on its own side
 // of thin walls. A cell that a body cuts keeps what is in it, and one that a body covers gives it to the most open cell
-// beside it.
+// beside it. Beyond the ends of a periodic model it counts for the ghosts there, which are to be folded, or joined.
 #include <algorithm>
 #include <cstdint>
 #include <vector>
@@ -30,7 +30,13 @@ class PointCells {
         if (stencil_->shut[a][1]) high[a] = place[a] + 1;
       }
     }
-    box_ = BoxOverlap<Space>(setup.lattice, x, half, low, high);
+    if (!setup.periodic) {
+      box_ = BoxOverlap<Space>(setup.lattice, x, half, low, high);
+      return;
+    }
+    high[0] += 2;  // counted from the ghosts below
+    box_ = BoxOverlap<Space>(setup.lattice, {x[0] + setup.lattice.spacing[0], x[1], x[2]}, half, low, high);
+    box_.base -= setup.lattice.stride[0];
   }
 
   /// body(cell index, share)
@@ -86,13 +92,14 @@ class PointBoxes {
     std::fill_n(base, count, static_cast<std::int32_t>(lattice.index(0, 0, 0)));
     for (int a = 0; a < Space::axes; ++a) {
       const auto stride = static_cast<std::int32_t>(lattice.stride[a]);
-      const int low = setup.soil_box.low[a], high = setup.soil_box.high[a];
+      const int ghost = setup.soil_box.periodic(a) ? 1 : 0;  // below which cells are counted
+      const int low = setup.soil_box.low[a], high = setup.soil_box.high[a] + 2 * ghost;
       const double* x = position[a].data() + first;
       double* share = share_[a].data() + first;
       for (int l = 0; l < count; ++l) {
-        const AxisOverlap on_axis(lattice.axis[a].place(x[l]), half[a][l], low, high);
+        const AxisOverlap on_axis(lattice.axis[a].place(x[l]) + ghost, half[a][l], low, high);
         share[l] = on_axis.share;
-        base[l] += on_axis.cell * stride;
+        base[l] += (on_axis.cell - ghost) * stride;
       }
     }
   }

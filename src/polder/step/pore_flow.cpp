@@ -44,11 +44,18 @@ double conductance(const Setup<Space>& setup, const PoreFields<Space>& pores, in
 }  // namespace
 
 template <class Space>
-SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gravity, std::vector<PoreExit>& exits,
+SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, std::vector<PoreExit>& exits,
                                 GridFields<Space>& grid, PoreFields<Space>& pores, PressureSolver<Space>& solver,
                                 Team& team) {
   const auto& lattice = setup.lattice;
-  const double weight = setup.water.density * gravity;
+  double weight[Space::axes];                     // of the water against the axis, Pa/m
+  int lowest[Space::axes], highest[Space::axes];  // cells with a side of the model
+  for (int a = 0; a < Space::axes; ++a) {
+    const bool joined = setup.soil_box.periodic(a);
+    weight[a] = -setup.water.density * setup.pull(a);
+    lowest[a] = joined ? -1 : 0;
+    highest[a] = lattice.cells[a] - (joined ? 0 : 1);
+  }
   const Array coupled = pores.saturation;  // the coupling stays that of the step's start
   Array increment(coupled.size(), 0.0);
   Array conducts[Space::axes];
@@ -58,18 +65,25 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
   double last_error = 0, share = 1;  // of the increment, that has been added
 
   const auto flow = [&](int a, std::ptrdiff_t f) {
-    const double head = a == Space::up ? weight * lattice.axis[a].gap(lattice.place(f, a)) : 0;
+    const double head = weight[a] != 0 ? weight[a] * lattice.axis[a].gap(lattice.place(f, a)) : 0;
     return conducts[a][f] * (grid.pressure[f - lattice.stride[a]] - grid.pressure[f] - head);
   };
   const auto inner = [&](int a, std::ptrdiff_t cell, int end) {  // whether the cell's face at this end is inside
     const int place = lattice.place(cell, a);
-    return end == 0 ? place > 0 : place < lattice.cells[a] - 1;
+    return end == 0 ? place > lowest[a] : place < highest[a];
   };
 
+  const auto neighbour = [&](int a, std::ptrdiff_t cell, int end) {  // of a cell inside, round the ends of the model
+    const std::ptrdiff_t s = lattice.stride[a], n = lattice.cells[a];
+    const int place = lattice.place(cell, a);
+    if (setup.soil_box.periodic(a) && place == (end == 0 ? 0 : n - 1)) return cell + (end == 0 ? n - 1 : 1 - n) * s;
+    return cell + (end == 0 ? -s : s);
+  };
   const auto add = [&](double factor) {  // so much of the increment, and what the soil makes of it
     over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
       for (std::ptrdiff_t cell = first; cell < first + count; ++cell) grid.pressure[cell] += factor * increment[cell];
     });
+    join_ends(grid.pressure, setup.soil_box, lattice);
     for (int a = 0; a < Space::axes; ++a)
       over_face_rows(lattice, grid.rows, a, team, [&](std::ptrdiff_t first, int count, const auto&) {
         const std::ptrdiff_t s = lattice.stride[a];
@@ -96,6 +110,7 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
     // balance of every cell, and its derivatives
     std::vector<double> worst(grid.rows.spans.size(), 0.0);
     over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, std::array<int, 3> place) {
+      if (setup.periodic) solver.matrix.seam[first] = 0;
       for (std::ptrdiff_t cell = first; cell < first + count; ++cell, ++place[0]) {
         for (int a = 0; a < Space::axes; ++a) solver.matrix.coupling[a][cell] = 0;
         solver.matrix.diagonal[cell] = solver.right_side[cell] = 0;
@@ -115,27 +130,28 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
             if (!inner(a, cell, end)) continue;
             out += (end == 0 ? -1 : 1) * pores.flow[a][f];
             sum += conducts[a][f];
-            if (end == 0 && pores.active[other] && pores.host[other] < 0)
-              solver.matrix.coupling[a][cell] =
+            if (end == 0 && pores.active[other] && pores.host[other] < 0) {
+              Array& coupling = place[a] == 0 ? solver.matrix.seam : solver.matrix.coupling[a];
+              coupling[cell] =
                   conducts[a][f] + strains * grid.soil_response[a][f] * coupled[other] * pores.weight[a][other] / h;
+            }
           }
         solver.matrix.diagonal[cell] = sum;
         solver.right_side[cell] =
             -((pores.content[cell] - pores.water[cell]) / dt + coupled[cell] * pores.volume_change[cell] + out);
       }
     });
-    for (std::size_t q = 0; q < pores.host.size(); ++q) {  // what cells without soil add to their hosts'
-      const std::ptrdiff_t cell = static_cast<std::ptrdiff_t>(q), host = pores.host[q];
-      if (host < 0) continue;
+    over_hosted(lattice, pores, [&](std::ptrdiff_t cell, std::ptrdiff_t host) {  // what they add to their hosts'
       for (int a = 0; a < Space::axes; ++a)
         for (const int end : {0, 1}) {
-          const std::ptrdiff_t f = cell + end * lattice.stride[a], other = end == 0 ? cell - lattice.stride[a] : f;
+          const std::ptrdiff_t f = cell + end * lattice.stride[a];
+          const std::ptrdiff_t other = neighbour(a, cell, end);
           const double own = coupled[cell] * pores.weight[a][cell] / lattice.spacing[a];
           const double shared = other == host ? coupled[host] * pores.weight[a][host] / lattice.spacing[a] : 0;
           const double strains = own * true_area(lattice, a, lattice.places(cell));
           solver.matrix.diagonal[host] += strains * (own - 2 * shared) * grid.soil_response[a][f];
         }
-    }
+    });
     for (const PoreExit& exit : exits) {
       solver.right_side[exit.cell] -= exit.out;
       if (exit.conductance * (grid.pressure[exit.cell] - exit.level) > exit.least)
@@ -172,17 +188,17 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gra
     std::fill(increment.begin(), increment.end(), 0.0);
     const SolveResult result = solver.solve(grid.rows, increment, setup.numerics.pressure_tolerance, 400, team);
     total.iterations += result.iterations;
-    for (std::size_t cell = 0; cell < pores.host.size(); ++cell)
-      if (pores.host[cell] >= 0) increment[cell] = increment[pores.host[cell]];
+    over_hosted(lattice, pores, [&](std::ptrdiff_t cell, std::ptrdiff_t host) { increment[cell] = increment[host]; });
+    join_ends(increment, setup.soil_box, lattice);
     add(share);
   }
   return total;
 }
 
-template SolveResult solve_pore_pressure(const Setup<PlaneStrain>&, double, double, std::vector<PoreExit>&,
+template SolveResult solve_pore_pressure(const Setup<PlaneStrain>&, double, std::vector<PoreExit>&,
                                          GridFields<PlaneStrain>&, PoreFields<PlaneStrain>&,
                                          PressureSolver<PlaneStrain>&, Team&);
-template SolveResult solve_pore_pressure(const Setup<Solid>&, double, double, std::vector<PoreExit>&,
-                                         GridFields<Solid>&, PoreFields<Solid>&, PressureSolver<Solid>&, Team&);
+template SolveResult solve_pore_pressure(const Setup<Solid>&, double, std::vector<PoreExit>&, GridFields<Solid>&,
+                                         PoreFields<Solid>&, PressureSolver<Solid>&, Team&);
 
 }  // namespace polder

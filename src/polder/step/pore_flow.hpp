@@ -26,7 +26,15 @@ struct PoreExit {
 /// Sets contents, saturations, conductivities at the pressures as they are; hosts of cells without soil; which cells
 /// are active, with a pressure for those that have become so; which faces follow another.
 template <class Space>
-void prepare_cells(const Setup<Space>& setup, double gravity, GridFields<Space>& grid, PoreFields<Space>& pores);
+void prepare_cells(const Setup<Space>& setup, GridFields<Space>& grid, PoreFields<Space>& pores);
+
+/// body(cell, its host) for the cells that another one stands for.
+template <class Space, class Body>
+void over_hosted(const Lattice<Space>& lattice, const PoreFields<Space>& pores, Body&& body) {
+  over_all_cells(lattice, [&](std::ptrdiff_t cell, const auto&) {
+    if (pores.host[cell] >= 0) body(cell, std::ptrdiff_t{pores.host[cell]});
+  });
+}
 
 /// S at the cells' pressures, and content and storage.
 template <class Space>
@@ -35,7 +43,7 @@ void fill_pores(const Setup<Space>& setup, const GridFields<Space>& grid, PoreFi
 /// Solves for the pressures. In: `grid.soil_velocity` with the old pressures' force, `grid.soil_response`, its change
 /// by a force (m/s per N). Out: pressures, velocities, flows, `exits[].out`.
 template <class Space>
-SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, double gravity, std::vector<PoreExit>& exits,
+SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, std::vector<PoreExit>& exits,
                                 GridFields<Space>& grid, PoreFields<Space>& pores, PressureSolver<Space>& solver,
                                 Team& team);
 

@@ -173,12 +173,14 @@ StepReport Stepper<Space>::advance_unsaturated(const StepControl& control, doubl
   if (open_water) open_water->advance(setup, control, dt, water, exchanged);
   watch.lap(times.volume);
   prepare();
+  setup.move_sides(control.time);
   watch.lap(times.sort);
   const bool weighs = begin_weighing();
   report.pressure = unsaturated->advance(setup, control, dt, soil_tiling_, soil, grid, solver_, team, motion, exchanged,
                                          open_water ? &open_water->cover : nullptr);
   if (weighs) body_force = body_forces(setup, dt, grid, &unsaturated->pores);
   drift_soil += motion.drift;
+  if (setup.periodic && bring_in(setup.lattice, soil)) points_changed();
   if (open_water) {
     open_water->follow(setup, unsaturated->pores.bulk, exchanged);
     open_water->show(setup, unsaturated->pores, grid);

@@ -12,7 +12,7 @@ double UnsaturatedStep<Space>::pressure_at(const Setup<Space>& setup, const Grid
                                            const std::array<double, 3>& x) const {
   constexpr int up = Space::up;
   const auto& lattice = setup.lattice;
-  const double weight = setup.water.density * setup.gravity;
+  const double weight = -setup.water.density * setup.pull(up);
   const auto own = cell_of(lattice, x);
   const std::ptrdiff_t own_cell = lattice.index(own[0], own[1], own[2]);
   const WallStencil<Space>* stencil = setup.walls.beside(own_cell);
@@ -39,7 +39,8 @@ double UnsaturatedStep<Space>::pressure_at(const Setup<Space>& setup, const Grid
     double share = 1;
     for (int a = 0; a < up; ++a) {
       const int high = corner >> a & 1;
-      cell[a] = std::clamp(low[a] + high, 0, lattice.cells[a] - 1);
+      const int n = lattice.cells[a], at = low[a] + high;
+      cell[a] = setup.soil_box.periodic(a) ? (at + n) % n : std::clamp(at, 0, n - 1);
       share *= high ? over[a] : 1 - over[a];
     }
     const auto at = [&](int level) {

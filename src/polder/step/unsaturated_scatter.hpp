@@ -36,6 +36,7 @@ Vec4 x_difference(const Lattice<Space>& lattice, const ChunkWeights<Space>& chun
 template <int axes>
 struct MixtureLoad {
   double inertia[chunk_size], weight[chunk_size], held[chunk_size];
+  double along[chunk_size];         // N, of gravity towards +x, where it leans
   double volume[axes][chunk_size];  // over which the stress acts, by axis of the derivative: across the surface of a
                                     // body that cuts the cell as if it filled the cell
 };
@@ -46,6 +47,7 @@ template <int c, class Space>
 void scatter_beside(const Setup<Space>& setup, const SoilPoints<Space>& points, const MixtureLoad<Space::axes>& load,
                     std::size_t first, int count, const ChunkWeights<Space>& chunk, GridFields<Space>& grid,
                     double* held_field) {
+  const bool leans = c == 0 && setup.tilt != 0;
   double* force_field = grid.soil_force[c].data();
   const auto volume = [&](int l, int a) { return load.volume[a][l]; };
   scatter_beside_walls<c, true, true>(setup.walls, setup.lattice, points, load.inertia, volume, first, count, chunk,
@@ -54,11 +56,12 @@ void scatter_beside(const Setup<Space>& setup, const SoilPoints<Space>& points, 
     over_seen_nodes<c>(setup.walls, setup.lattice, chunk, l, [&](const SeenNode<Space>& node) {
       if (held_field) held_field[node.at] += load.held[l] * node.value();
       if (c == Space::up) force_field[node.at] -= node.sign * load.weight[l] * node.value();
+      if (leans) force_field[node.at] += node.sign * load.along[l] * node.value();
     });
 }
 // NOLINTEND(readability-non-const-parameter)
 
-template <int c, bool graded, class Space>
+template <int c, bool graded, bool leans, class Space>
 void scatter_mixture(const Lattice<Space>& lattice, const SoilPoints<Space>& points,
                      const MixtureLoad<Space::axes>& load, std::size_t first, int count,
                      const ChunkWeights<Space>& chunk, GridFields<Space>& grid, double* held_field) {
@@ -80,6 +83,7 @@ void scatter_mixture(const Lattice<Space>& lattice, const SoilPoints<Space>& poi
     const Vec4 momentum_y = (m * h[1] * affine(1)) * row.weight;
     Vec4 force_row = (v(0) * stress(0) / h[0]) * slope;
     if (c == Space::up) force_row -= load.weight[l] * row.weight;
+    if constexpr (c == 0 && leans) force_row += load.along[l] * row.weight;
     const Vec4 force_y = (v(1) * stress(1) / h[1]) * row.weight;
     Vec4 momentum_z{}, force_z{};
     if constexpr (axes == 3) {

@@ -47,7 +47,7 @@ double computed_at_start(const Setup<Space>& setup, double x, double height) {
   const double p = (1 - over) * ((1 - up) * value(left, lower) + up * value(left, upper)) +
                    over * ((1 - up) * value(right, lower) + up * value(right, upper));
   const double beyond = std::min(height - upwards.centre(0), 0.0) + std::max(height - upwards.centre(levels - 1), 0.0);
-  return p - setup.water.density * setup.gravity * beyond;
+  return p + setup.water.density * setup.pull(Space::up) * beyond;
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ template <class Space>
 double pressure_at_start(const Setup<Space>& setup, double x, double height) {
   if (!setup.start_pressure.empty()) return std::max(computed_at_start(setup, x, height), -setup.suction_limit);
   if (setup.water_table.empty()) return 0;
-  const double p = setup.water.density * setup.gravity * (height_at(setup.water_table, x) - height);
+  const double p = setup.water.density * setup.pull(Space::up) * (height - height_at(setup.water_table, x));
   return std::max(p, -setup.suction_limit);
 }
 
@@ -71,6 +71,8 @@ UnsaturatedStep<Space>::UnsaturatedStep(const Setup<Space>& setup, SoilPoints<Sp
                                                              (place[Space::up] + 0.5) * lattice.spacing[Space::up]);
     pores.active[cell] = 1;  // it has a pressure
   });
+  join_ends(pores.active, setup.soil_box, lattice);
+  join_ends(grid.pressure, setup.soil_box, lattice);
   for (std::size_t p = 0; p < soil.size(); ++p) {
     const double filled = filled_by(setup, soil, p, soil.material[p], grid);
     soil.water[p] = filled * soil.porosity[p] * bulk_volume(setup, soil, p);
@@ -115,11 +117,17 @@ template <class Space>
 double UnsaturatedStep<Space>::predict(const Setup<Space>& setup, const StepControl& control, double dt,
                                        bool standing_water, GridFields<Space>& grid, Team& team) {
   const double weight = setup.water.density * setup.gravity;
+  const double raised = control.hold_water ? control.gravity_factor : 1;  // pressures that are held rise with gravity
   const bool far_field = control.event && setup.any_absorbs();
   const auto& lattice = setup.lattice;
   std::vector<double> row_sum(static_cast<std::size_t>(lattice.size), 0.0);
   double unbalanced = 0;
   for (int c = 0; c < Space::axes; ++c) {
+    const bool joined = setup.soil_box.periodic(c);
+    const int low_side = joined ? -1 : setup.soil_box.low[c];
+    const int high_side = joined ? lattice.cells[c] + 1 : setup.soil_box.high[c];
+    const int again = joined ? lattice.cells[c] : -1;  // the face that is the first one
+    const double at_end[2] = {setup.wall_velocity(c, 0), setup.wall_velocity(c, 1)};
     std::fill(row_sum.begin(), row_sum.end(), 0.0);
     over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
       double sum = 0;
@@ -128,21 +136,21 @@ double UnsaturatedStep<Space>::predict(const Setup<Space>& setup, const StepCont
         const int at = place[c] + (c == 0 ? i : 0);
         const double m = grid.soil_mass[c][f];
         grid.soil_response[c][f] = grid.soil_before[c][f] = 0;
-        const bool side = at <= setup.soil_box.low[c] || at >= setup.soil_box.high[c];
+        const bool side = at <= low_side || at >= high_side;
         const bool far = side && far_field && setup.absorbs(c, at > 0);
         const bool wall = (side && !far) || setup.walls.blocked(c, f);
         if (!(m > 0) || wall || pores.held_mass[c][f] > 0.5 * m) {
-          grid.soil_velocity[c][f] = 0;
+          grid.soil_velocity[c][f] = wall && (at == 0 || at == lattice.cells[c]) ? at_end[at > 0] : 0;
           continue;
         }
         const double v = grid.soil_before[c][f] = grid.soil_velocity[c][f] / m;
         grid.soil_velocity[c][f] = v;
         if (pores.leader[c][f] != static_cast<std::int8_t>(Leader::itself)) continue;
-        double force = grid.soil_force[c][f] + pressure_force(lattice, pores, grid.pressure, c, f);
-        if (standing_water) force += standing_water_force(lattice, pores, weight, c, f);
+        double force = grid.soil_force[c][f] + raised * pressure_force(lattice, pores, grid.pressure, c, f);
+        if (standing_water) force += raised * standing_water_force(lattice, pores, weight, c, f);
         if (far) force += grid.far_force[c][f];
         const bool met = setup.bodies.inside(c, f);  // by a body, which takes what presses on it as it is
-        if (!met) sum += std::abs(force);
+        if (!met && at != again) sum += std::abs(force);
         if (v != 0 && !met) force -= control.local_damping * std::abs(force) * (v > 0 ? 1 : -1);
         double resisted = 1 + control.damping * dt;
         if (far_field) resisted += dt / m * far_dashpot(setup, grid, c, {place[0] + i, place[1], place[2]});
@@ -164,24 +172,34 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
                                           bool held, GridFields<Space>& grid, Team& team,
                                           std::vector<Exchange>& exchanged, GroundCover* cover) {
   const auto& lattice = setup.lattice;
+  const auto join_books = [&] {
+    join_ends(pores.surplus, setup.soil_box, lattice);
+    join_ends(pores.deviation, setup.soil_box, lattice);
+  };
+  const auto below = [&](std::ptrdiff_t cell, int a) {  // the cell there, or −1
+    if (lattice.place(cell, a) > 0) return cell - lattice.stride[a];
+    return setup.soil_box.periodic(a) ? cell + (lattice.cells[a] - 1) * lattice.stride[a] : -1;
+  };
   fill_pores(setup, grid, pores, team);
   if (held) {  // pressures are given: the ground takes or gives what they ask for
     double change = 0;
-    for (std::size_t cell = 0; cell < pores.content.size(); ++cell) change += pores.content[cell] - pores.water[cell];
+    over_all_cells(lattice,
+                   [&](std::ptrdiff_t cell, const auto&) { change += pores.content[cell] - pores.water[cell]; });
     exchanged.push_back({lattice.index(0, 0), change});
     for (std::size_t cell = 0; cell < pores.content.size(); ++cell) {
       pores.surplus[cell] =
           pores.pores[cell] > 0 ? (pores.content_before[cell] - pores.water[cell]) / pores.pores[cell] : 0;
       pores.deviation[cell] = 0;
     }
+    join_books();
     return;
   }
   Array left = pores.water;
   over_all_cells(lattice, [&](std::ptrdiff_t cell, const std::array<int, 3>& place) {
     for (int a = 0; a < Space::axes; ++a) {
-      if (place[a] == 0) continue;
+      if (place[a] == 0 && !setup.soil_box.periodic(a)) continue;
       left[cell] += dt * pores.flow[a][cell];
-      left[cell - lattice.stride[a]] -= dt * pores.flow[a][cell];
+      left[place[a] > 0 ? cell - lattice.stride[a] : below(cell, a)] -= dt * pores.flow[a][cell];
     }
   });
   for (const PoreExit& exit : exits) {
@@ -201,9 +219,8 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
       std::ptrdiff_t to = pores.host[cell];
       for (int turn = 0; to < 0 && turn < Space::axes; ++turn) {
         const int a = (Space::up + turn) % Space::axes;
-        if (lattice.place(cell, a) > 0 && !setup.shut(a, cell) &&
-            pores.bulk[cell - lattice.stride[a]] > pores.bulk[cell])
-          to = cell - lattice.stride[a];
+        const std::ptrdiff_t lower = below(cell, a);
+        if (lower >= 0 && !setup.shut(a, cell) && pores.bulk[lower] > pores.bulk[cell]) to = lower;
       }
       if (to < 0) continue;
       beyond[to] += beyond[cell];
@@ -214,6 +231,7 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
     pores.surplus[cell] = room * beyond[cell];
     pores.deviation[cell] = room * (pores.water[cell] - pores.content_before[cell] + beyond[cell]);
   }
+  join_books();
 }
 
 /// How far the faces of each cell move in the step.
@@ -276,7 +294,7 @@ void UnsaturatedStep<Space>::judge(const Setup<Space>& setup, const SoilPoints<S
 template <class Space>
 void UnsaturatedStep<Space>::show_water(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) const {
   const auto& lattice = setup.lattice;
-  const double weight = setup.water.density * std::max(setup.gravity, 1e-9);
+  const double weight = setup.water.density * std::max(-setup.pull(Space::up), 1e-9);
   const std::ptrdiff_t s = lattice.stride[Space::up];
   over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, std::array<int, 3> place) {
     for (std::ptrdiff_t cell = first; cell < first + count; ++cell, ++place[0]) {
@@ -289,6 +307,8 @@ void UnsaturatedStep<Space>::show_water(const Setup<Space>& setup, GridFields<Sp
       grid.cell_porosity[cell] = pores.bulk[cell] > 0 ? pores.pores[cell] / pores.bulk[cell] : 1;
     }
   });
+  join_ends(grid.wet, setup.soil_box, lattice);
+  join_ends(grid.fill, setup.soil_box, lattice);
   for (int a = 0; a < Space::axes; ++a)
     for (std::size_t f = 0; f < pores.flow[a].size(); ++f)
       if (pores.flow[a][f] != 0 || grid.discharge[a][f] != 0)
@@ -300,14 +320,18 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
                                             const Tiling<Space>& tiling, SoilPoints<Space>& soil,
                                             GridFields<Space>& grid, PressureSolver<Space>& solver, Team& team,
                                             Motion& motion, std::vector<Exchange>& exchanged, GroundCover* cover) {
-  const double gravity = setup.gravity * control.gravity_factor;
-  mixture_to_grid(setup, soil, tiling, {setup.numerics.mass_scaling, dt}, gravity, control.time, grid, pores, team);
-  prepare_cells(setup, setup.gravity, grid, pores);
+  const double down = -setup.pull(Space::up);  // m/s²
+  mixture_to_grid(setup, soil, tiling, {setup.numerics.mass_scaling, dt}, control.gravity_factor, control.time, grid,
+                  pores, team);
+  prepare_cells(setup, grid, pores);
   fill_pores(setup, grid, pores, team);
   pores.content_before = pores.content;
   pores.ratio_before = pores.ratio;
-  const bool standing_water = set_standing_water(setup, ground_, control.time, setup.gravity, pores, cover);
-  if (standing_water) bulk_to_faces(setup, soil, tiling, pores, team);
+  const bool standing_water = set_standing_water(setup, ground_, control.time, down, pores, cover);
+  if (standing_water) {
+    join_ends(pores.over_ground, setup.soil_box, setup.lattice);
+    bulk_to_faces(setup, soil, tiling, pores, team);
+  }
   if (control.event && setup.any_absorbs() && grid.far_is_known == 0)
     know_far_ground(
         setup, soil, pores,
@@ -326,15 +350,16 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   SolveResult result;
   std::vector<PoreExit> exits;
   if (!control.hold_water) {
-    exits = pore_exits(setup, ground_, control.time, dt, setup.gravity, pores, cover);
+    exits = pore_exits(setup, ground_, control.time, dt, down, pores, cover);
     for (const PoreExit& exit : well_exits(setup, control.time, grid, pores)) exits.push_back(exit);
-    result = solve_pore_pressure(setup, dt, setup.gravity, exits, grid, pores, solver, team);
+    result = solve_pore_pressure(setup, dt, exits, grid, pores, solver, team);
   }
   if (!setup.friction.empty()) rub_along_walls(setup, dt, soil, grid);
   const auto follows = [&](int c, std::ptrdiff_t f) {
     const auto who = static_cast<Leader>(pores.leader[c][f]);
     return who == Leader::below || who == Leader::above;
   };
+  if (setup.periodic) reflect(grid.soil_velocity[0], 0, true, setup.soil_box, setup.lattice, true);  // leaders beyond
   for (int c = 0; c < Space::axes; ++c) {
     const std::ptrdiff_t s = setup.lattice.stride[c];
     Array& v = grid.soil_velocity[c];
@@ -345,7 +370,7 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
     }
   }
   if (setup.bodies.any()) meet_bodies(setup, grid, follows);
-  for (int c = 0; c < Space::axes; ++c) reflect(grid.soil_velocity[c], c, true, setup.soil_box, setup.lattice);
+  for (int c = 0; c < Space::axes; ++c) reflect(grid.soil_velocity[c], c, true, setup.soil_box, setup.lattice, true);
 
   set_volume_change(setup, grid, pores, team);
   motion = strain_points(setup, dt, grid, tiling, soil, pores, team);

@@ -56,6 +56,13 @@ void box_halves(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::s
   for (int a = 1; a < Space::axes; ++a) std::copy_n(half[0], count, half[a]);
 }
 
+/// Of a periodic model: what points have given to cells beyond its ends is for those inside, and seen from both sides.
+template <class Space>
+void fold_ends(const Setup<Space>& setup, Array& cells) {
+  fold(cells, -1, false, setup.soil_box, setup.lattice);
+  join_ends(cells, setup.soil_box, setup.lattice);
+}
+
 /// Volumes of a chunk's points with their porosities as they are.
 template <class Space>
 void set_volumes(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::size_t first, int count,
@@ -68,9 +75,10 @@ void set_volumes(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::
 
 template <class Space>
 void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
-                     InertiaRule inertia, double gravity, double time, GridFields<Space>& grid,
+                     InertiaRule inertia, double gravity_factor, double time, GridFields<Space>& grid,
                      PoreFields<Space>& pores, Team& team) {
   const auto& lattice = setup.lattice;
+  const double down = -setup.pull(Space::up) * gravity_factor, along = setup.pull(0) * gravity_factor;
   for (auto* fields : {&grid.soil_mass, &grid.soil_velocity, &grid.soil_force, &pores.weight, &pores.held_mass})
     for (auto& field : *fields) std::fill(field.begin(), field.end(), 0.0);
   for (auto* field : {&pores.sums, &pores.resistance[1]}) std::fill(field->begin(), field->end(), 0.0);
@@ -97,7 +105,8 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
       const double volume = bulk[l], mass = soil.mass[p] + setup.water.density * soil.water[p];
       for (int a = 0; a < Space::axes; ++a)
         load.volume[a][l] = volume * pressing_part(setup.bodies, lattice, a, cell_index(lattice, chunk, l));
-      load.weight[l] = gravity * mass;
+      load.weight[l] = down * mass;
+      load.along[l] = along * mass;
       load.inertia[l] = pores.inertia[p] = std::max(
           inertia.scaling * mass, needed(cell_places(chunk, l), volume, setup.pores[soil.material[p]].modulus));
       load.held[l] = material.fixed ? load.inertia[l] : 0;
@@ -118,7 +127,9 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
       double* held = any_held ? pores.held_mass[c].data() : nullptr;
       if (walled) scatter_beside<c>(setup, soil, load, first, count, chunk, grid, held);
       by_spacing(lattice, [&]<bool graded>() {
-        if (!walled) scatter_mixture<c, graded>(lattice, soil, load, first, count, chunk, grid, held);
+        const bool leans = c == 0 && along != 0;
+        if (!walled && leans) scatter_mixture<c, graded, c == 0>(lattice, soil, load, first, count, chunk, grid, held);
+        if (!walled && !leans) scatter_mixture<c, graded, false>(lattice, soil, load, first, count, chunk, grid, held);
         scatter_weight<c, graded>(setup, yielding, count, chunk, pores.weight[c].data());
       });
     });
@@ -131,14 +142,17 @@ void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
     pores.water[cell] = sums[2];
     pores.resistance[0][cell] = sums[3];
   }
+  if (setup.periodic)
+    for (Array* field : {&pores.bulk, &pores.yielding, &pores.water, &pores.resistance[0]}) fold_ends(setup, *field);
+  if (setup.anisotropic && setup.periodic) fold_ends(setup, pores.resistance[1]);
   if (!setup.anisotropic) pores.resistance[1] = pores.resistance[0];
   for (int c = 0; c < Space::axes; ++c) {
-    fold(grid.soil_mass[c], c, false, setup.soil_box, lattice);
     fold(pores.held_mass[c], c, false, setup.soil_box, lattice);
-    fold(grid.soil_velocity[c], c, true, setup.soil_box, lattice);
+    fold_motion(grid.soil_mass[c], grid.soil_velocity[c], c, setup.soil_box, lattice);
     release_forces(grid.soil_force[c], c, setup.soil_box, lattice);
     fold(grid.soil_force[c], c, true, setup.soil_box, lattice);
     fold(pores.weight[c], -1, false, setup.soil_box, lattice);
+    join_ends(pores.weight[c], setup.soil_box, lattice);
   }
   pores_to_grid(setup, soil, tiling, pores, team);
 }
@@ -185,6 +199,7 @@ void pores_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
       pores.box.over_cells(setup.lattice, p, [&](std::ptrdiff_t cell, double share) { field[cell] += share * volume; });
     }
   });
+  for (std::size_t m = 0; setup.periodic && m < pores.composition.size(); ++m) fold_ends(setup, pores.composition[m]);
   pores.pores = pores.composition.front();
   for (std::size_t m = 1; m < pores.composition.size(); ++m)
     for (std::size_t cell = 0; cell < pores.pores.size(); ++cell) pores.pores[cell] += pores.composition[m][cell];
@@ -282,12 +297,14 @@ void correct_dilation(const Setup<Space>& setup, const Tiling<Space>& tiling, co
                            [&](std::ptrdiff_t cell, double share) { pores.points_change[cell] += share * change; });
     }
   });
+  if (setup.periodic) fold_ends(setup, pores.points_change);
   const double thin = 0.05;  // of a cell's volume
   for (std::size_t cell = 0; cell < pores.bulk.size(); ++cell)
     pores.correction[cell] =
         pores.yielding[cell] > 0 && pores.yielding[cell] > thin * lattice.cell_volume(static_cast<std::ptrdiff_t>(cell))
             ? (pores.volume_change[cell] - pores.points_change[cell]) / pores.yielding[cell]
             : 0;
+  join_ends(pores.correction, setup.soil_box, lattice);
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       if (!yields(p)) continue;
@@ -351,8 +368,10 @@ void change_water(const Setup<Space>& setup, const Tiling<Space>& tiling, PoreFi
         pores.mixing[cell] += share * std::abs(own - mean);
       });
   });
+  if (setup.periodic) fold_ends(setup, pores.mixing);
   for (std::size_t cell = 0; cell < pores.mixing.size(); ++cell)
     pores.mixing[cell] = pores.mixing[cell] > uneven * pores.pores[cell] ? pores.way[cell] : 0;
+  join_ends(pores.mixing, setup.soil_box, setup.lattice);
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {
       double water = 0;
@@ -372,9 +391,11 @@ void move_points(const Setup<Space>& setup, double dt, const Tiling<Space>& tili
   const auto& lattice = setup.lattice;
   change_water(setup, tiling, pores, soil, team);
   std::array<double, 3> lowest{}, highest{};
-  for (int a = 0; a < Space::axes; ++a) {
-    lowest[a] = lattice.axis[a].at_place(setup.soil_box.low[a] + wall_gap);
-    highest[a] = lattice.axis[a].at_place(setup.soil_box.high[a] - wall_gap);
+  for (int a = 0; a < Space::axes;
+       ++a) {  // points may pass the ends of a periodic model, to be brought in at the other
+    const double gap = setup.soil_box.periodic(a) ? -1 : wall_gap;
+    lowest[a] = lattice.axis[a].at_place(setup.soil_box.low[a] + gap);
+    highest[a] = lattice.axis[a].at_place(setup.soil_box.high[a] - gap);
   }
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p) {

@@ -21,10 +21,10 @@ struct InertiaRule {
 };
 
 /// Mass (of inertia), momentum and force (internal, weight) to the faces; volumes, water, resistances, weights to the
-/// cells. `gravity` in m/s²; loads on the ground as at `time`.
+/// cells. `gravity_factor`: how much of gravity acts; loads on the ground as at `time`.
 template <class Space>
 void mixture_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, const Tiling<Space>& tiling,
-                     InertiaRule inertia, double gravity, double time, GridFields<Space>& grid,
+                     InertiaRule inertia, double gravity_factor, double time, GridFields<Space>& grid,
                      PoreFields<Space>& pores, Team& team);
 
 /// The volume of the soil that yields to the upward faces, into `pores.face_bulk`.
