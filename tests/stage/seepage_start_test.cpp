@@ -202,5 +202,18 @@ TEST(SlopeStart, AgreesByK0ByGravityAndBySeepage) {
   for (const auto* run : {&k0, &gravity, &seepage}) EXPECT_LT(moved((*run)->state().soil), 1e-4);
 }
 
+// The example of the guide, before its truck comes.
+TEST(SlopeStart, MovesNothingWhereWaterHasPointsOfItsOwn) {
+  for (const char* formulation : {"double-point", "single-point"}) {
+    Simulation<PlaneStrain> run(
+        read_text(fmt::format("base = \"{}/cases/examples/slope/case.toml\"\n[model]\nformulation "
+                              "= \"{}\"\n",
+                              POLDER_SOURCE_DIR, formulation)),
+        1);
+    while (run.time() < 0.1) run.advance();
+    EXPECT_LT(moved(run.state().soil), 1e-4) << formulation;
+  }
+}
+
 }  // namespace
 }  // namespace polder
