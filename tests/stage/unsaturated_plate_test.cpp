@@ -200,5 +200,65 @@ TEST(UnsaturatedFooting, IsCarriedByItsBearingCapacity) {
   EXPECT_NEAR(force, bearing_of_clay, 0.25 * bearing_of_clay);
 }
 
+// Only what the grains press rubs: a = g (sin β − γ'/γ cos β tan φ) of a block whose water stays in it.
+TEST(UnsaturatedBody, LetsASaturatedBlockSlideByItsEffectiveWeight) {
+  constexpr double tilt = 16, friction = 20, degree = 3.14159265358979 / 180;
+  Simulation<PlaneStrain> run(read_text(fmt::format(R"(
+[model]
+formulation = "unsaturated"
+size = ["5 m", "1.25 m"]
+cell = "0.125 m"
+tilt = "{} deg"
+[[material]]
+name = "block"
+law = "linear-elastic"
+young_modulus = "20 MPa"
+poisson_ratio = 0.2
+grain_density = "2600 kg/m3"
+porosity = 0.4
+permeability = "1e-10 m/s"
+[[retention]]
+material = "block"
+model = "van-genuchten"
+g_a = "0.1 1/m"
+g_n = 2
+residual = 0
+[initial]
+water_table = [[0, 0.75], [5, 0.75]]
+stress = "gravity"
+[[soil]]
+material = "block"
+box = [[1, 0.25], [4, 0.75]]
+[[wall]]
+name = "bed"
+box = [[0, 0], [5, 0.25]]
+friction_angle = "{} deg"
+[[stage]]
+name = "rest"
+duration = "0.5 s"
+initial = true
+ramp = "0.2 s"
+hold_water = true
+damping = "50 1/s"
+[[stage]]
+name = "slide"
+duration = "0.3 s"
+)",
+                                                    tilt, friction)),
+                              1);
+  while (!run.finished()) run.advance();
+  const auto& soil = run.state().soil;
+  double speed = 0, mass = 0;
+  for (std::size_t p = 0; p < soil.size(); ++p) {
+    speed += soil.mass[p] * soil.velocity[0][p];
+    mass += soil.mass[p];
+  }
+  const double share = 0.6 * 1600 / (0.6 * 2600 + 0.4 * 1000);  // γ'/γ
+  const double expected =
+      9.81 * (std::sin(tilt * degree) - share * std::cos(tilt * degree) * std::tan(friction * degree));
+  std::printf("%.4f m/s2, expected %.4f\n", speed / mass / 0.3, expected);
+  EXPECT_NEAR(speed / mass / 0.3, expected, 0.05 * expected);
+}
+
 }  // namespace
 }  // namespace polder

@@ -315,6 +315,20 @@ void UnsaturatedStep<Space>::show_water(const Setup<Space>& setup, GridFields<Sp
         grid.discharge[a][f] = pores.flow[a][f] / lattice.face_area(a, static_cast<std::ptrdiff_t>(f));
 }
 
+/// What the water presses with on a body at a face in it, N along the axis: the pressure of the cell before the body
+/// and, from the cell's middle on, the weight of still water in the soil that the face carries.
+template <class Space>
+double UnsaturatedStep<Space>::water_on_body(const Setup<Space>& setup, const StepControl& control,
+                                             const GridFields<Space>& grid, int axis, std::ptrdiff_t face) const {
+  const double raised = control.hold_water ? control.gravity_factor : 1;
+  const double force = raised * pressure_force(setup.lattice, pores, grid.pressure, axis, face);
+  const std::ptrdiff_t low = face - setup.lattice.stride[axis];
+  const double below = pores.weight[axis][low], above = pores.weight[axis][face];
+  if (axis != Space::up || !(below + above > 0)) return force;
+  const double saturation = (below * pores.saturation[low] + above * pores.saturation[face]) / (below + above);
+  return force + raised * saturation * setup.water.density * setup.pull(axis) * pores.face_bulk[face];
+}
+
 template <class Space>
 SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const StepControl& control, double dt,
                                             const Tiling<Space>& tiling, SoilPoints<Space>& soil,
@@ -328,10 +342,8 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   pores.content_before = pores.content;
   pores.ratio_before = pores.ratio;
   const bool standing_water = set_standing_water(setup, ground_, control.time, down, pores, cover);
-  if (standing_water) {
-    join_ends(pores.over_ground, setup.soil_box, setup.lattice);
-    bulk_to_faces(setup, soil, tiling, pores, team);
-  }
+  if (standing_water) join_ends(pores.over_ground, setup.soil_box, setup.lattice);
+  if (standing_water || setup.bodies.any()) bulk_to_faces(setup, soil, tiling, pores, team);
   if (control.event && setup.any_absorbs() && grid.far_is_known == 0)
     know_far_ground(
         setup, soil, pores,
@@ -344,7 +356,9 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   const double unbalanced = predict(setup, control, dt, standing_water, grid, team);
   if (setup.bodies.any()) {
     extrapolate_soil(setup, grid, team);
-    meet_bodies(setup, grid);
+    meet_bodies(setup, grid, {}, [&](int c, std::ptrdiff_t f) {
+      return grid.soil_response[c][f] * water_on_body(setup, control, grid, c, f);
+    });
   }
 
   SolveResult result;

@@ -107,6 +107,8 @@ class UnsaturatedStep {
   void settle_books(const Setup<Space>& setup, double dt, const std::vector<PoreExit>& exits, bool held,
                     GridFields<Space>& grid, Team& team, std::vector<Exchange>& exchanged, GroundCover* cover);
   void set_way(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, Team& team);
+  double water_on_body(const Setup<Space>& setup, const StepControl& control, const GridFields<Space>& grid, int axis,
+                       std::ptrdiff_t face) const;
   void judge(const Setup<Space>& setup, const SoilPoints<Space>& soil, Team& team);
   void show_water(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) const;
 
