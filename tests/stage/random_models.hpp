@@ -22,15 +22,17 @@ struct RandomModel {
   double cell = 0;           ///< m
 };
 
+/// What models of the unsaturated formulation have: finer cells in a range; free water and rain, in plane strain.
+enum class Unsaturated { plain, finer, under_water };
+
 class ModelGenerator {
  public:
   /// What came later draws from its own stream, so that the models of a seed keep their ground.
-  /// `finer_unsaturated`: models of that formulation have finer cells in a range, others are as they are.
-  explicit ModelGenerator(std::uint64_t seed, bool finer_unsaturated = false)
+  explicit ModelGenerator(std::uint64_t seed, Unsaturated unsaturated = Unsaturated::plain)
       : random_(seed),
         more_(seed ^ 0x9E3779B97F4A7C15ULL),
         grid_(seed ^ 0xC2B2AE3D27D4EB4FULL),
-        finer_unsaturated_(finer_unsaturated) {}
+        unsaturated_(unsaturated) {}
 
   RandomModel make() {
     RandomModel model;
@@ -59,7 +61,7 @@ class ModelGenerator {
         : g.single_point ? "single-point"
                          : "double-point",
         whole(2, 3));
-    if (g.unsaturated ? finer_unsaturated_ : draw(grid_, 0, 1) < 0.3) model.text += finer(g);
+    if (g.unsaturated ? unsaturated_ == Unsaturated::finer : draw(grid_, 0, 1) < 0.3) model.text += finer(g);
     model.unsaturated = g.unsaturated;
     std::string materials;
     for (int layer = 0; layer < g.layers; ++layer) materials += material(layer, model.at_rest);
@@ -91,8 +93,9 @@ class ModelGenerator {
                                 g.cell * std::round(0.4 * g.soil / g.cell));
       if (more(0.3)) model.text += "until = 0.1\n";
     }
+    const bool under_water = unsaturated_ == Unsaturated::under_water && !model.solid;
     if (g.unsaturated)
-      model.text += retentions(g.layers) + pore_water(g);
+      model.text += retentions(g.layers) + (under_water ? over_the_ground(g) : pore_water(g));
     else
       model.text += g.at_rest ? held_level(g) : water_beside(g);
     if (!g.unsaturated && more(0.2)) {
@@ -208,6 +211,24 @@ class ModelGenerator {
     return text;
   }
 
+  /// A river at the toe, a pond on the crest, a cloudburst; at least one of them.
+  std::string over_the_ground(const Ground& g) {
+    std::string text;
+    if (g.length - g.toe > 2 * g.cell && draw(grid_, 0, 1) < 0.6)
+      text += fmt::format(
+          "[[boundary]]\nname = \"river\"\nwater = \"reservoir\"\nregion = [[{0}, 0], [{1}, 0], [{1}, {2}], [{0}, "
+          "{2}]]\n"
+          "head = [[0, {3}], [0.2, {4}]]\n",
+          g.length - 2 * g.cell, g.length, g.height, std::max(g.beside, g.cell), g.soil * draw(grid_, 0.3, 1.1));
+    const double top = g.cell * (std::ceil(g.soil / g.cell - 1e-9) + 1);
+    if (top < g.height && draw(grid_, 0, 1) < 0.4)
+      text += fmt::format("[[free_water]]\nname = \"pond\"\nbox = [[0, {}], [{}, {}]]\n", g.soil,
+                          g.end * draw(grid_, 0.3, 1), top);
+    if (text.empty() || draw(grid_, 0, 1) < 0.4)
+      text += fmt::format("[[rain]]\nrate = {}\n", std::pow(10, draw(grid_, -5, -1.5)));
+    return text;
+  }
+
   std::string material(int number, bool elastic_only) {
     const int law = elastic_only ? whole(0, 1) : whole(0, 4);
     const double modulus = std::pow(10, between(6, 8));
@@ -230,7 +251,7 @@ class ModelGenerator {
   }
 
   std::mt19937_64 random_, more_, grid_;
-  bool finer_unsaturated_;
+  Unsaturated unsaturated_;
 };
 
 // In cells, of models at rest; the most of the first 300 models is 6.1e-4.
@@ -282,8 +303,8 @@ RandomEnding run_random(const Model& read, const RandomModel& random) {
 }
 
 /// Makes the model of `seed`, runs it and checks it.
-inline RandomEnding try_random(std::uint64_t seed, bool finer_unsaturated = false) {
-  ModelGenerator generator(seed, finer_unsaturated);
+inline RandomEnding try_random(std::uint64_t seed, Unsaturated unsaturated = Unsaturated::plain) {
+  ModelGenerator generator(seed, unsaturated);
   const RandomModel random = generator.make();
   SCOPED_TRACE(fmt::format("model {}:\n{}", seed, random.text));
   const Model model = read_text(random.text);
