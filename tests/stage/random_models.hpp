@@ -93,7 +93,8 @@ class ModelGenerator {
                                 g.cell * std::round(0.4 * g.soil / g.cell));
       if (more(0.3)) model.text += "until = 0.1\n";
     }
-    const bool under_water = unsaturated_ == Unsaturated::under_water && !model.solid;
+    const bool under_water = unsaturated_ == Unsaturated::under_water && g.unsaturated && !model.solid;
+    model.at_rest = model.at_rest && !under_water;
     if (g.unsaturated)
       model.text += retentions(g.layers) + (under_water ? over_the_ground(g) : pore_water(g));
     else
