@@ -2,7 +2,10 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <filesystem>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "case_argument.hpp"
 #include "commands.hpp"
@@ -26,6 +29,14 @@ struct RunArguments {
   bool resume = false, force = false, quiet = false, json = false;
 };
 
+/// Of what a run writes, for the last line on the screen.
+std::string what_is_in(const std::filesystem::path& folder) {
+  std::vector<std::string> there;
+  for (const char* name : {"report.html", "pictures/", "history.csv", "points.pvd", "failed.h5", "summary.json"})
+    if (std::filesystem::exists(folder / name)) there.emplace_back(name);
+  return fmt::format("{}", fmt::join(there, ", "));
+}
+
 int run(const RunArguments& arguments, bool has_until) {
   const Model model = read_case_or_fail(arguments.case_name, arguments.overrides);
   RunOptions options;
@@ -46,8 +57,8 @@ int run(const RunArguments& arguments, bool has_until) {
     if (arguments.json)
       std::cout << summary_json(summary).dump(2) << "\n";
     else if (!arguments.quiet)
-      fmt::print("{}\nresults in {}: report.html, pictures/, history.csv, points.pvd, summary.json\n", summary.reason,
-                 options.folder.string());
+      fmt::print("{}results in {}: {}\n", summary.status == RunStatus::failed ? "" : summary.reason + "\n",
+                 options.folder.string(), what_is_in(options.folder));
     if (summary.status == RunStatus::interrupted) return status_interrupted;
     if (summary.status == RunStatus::failed) throw Failure(status_failed, summary.reason);
     return status_done;
