@@ -168,10 +168,14 @@ TEST(SlopingBed, LetsABlockSlideAgainstFriction) {
 }
 
 /// A dry block on a level bed under gravity that leans by 16°: how far it slides in 0.3 s, m.
+template <class Space = PlaneStrain>
 double slide_on_level_bed(double top, double friction) {
-  Simulation<PlaneStrain> run(read_text(fmt::format(R"(
+  const bool solid = Space::axes == 3;
+  Simulation<Space> run(
+      read_text(fmt::format(R"(
 [model]
-size = ["5 m", "1.25 m"]
+space = "{}"
+size = {}
 cell = "0.125 m"
 tilt = "16 deg"
 [[material]]
@@ -186,7 +190,7 @@ permeability = "1e-3 m/s"
 stress = "gravity"
 [[soil]]
 material = "block"
-box = [[1, 0.25], [4, 0.75]]
+box = {}
 [[wall]]
 box = [[0, 0], [5, {}]]
 friction_angle = "{} deg"
@@ -200,8 +204,9 @@ damping = "50 1/s"
 name = "slide"
 duration = "0.3 s"
 )",
-                                                    top, friction)),
-                              1);
+                            solid ? "3d" : "plane-strain", solid ? "[5, 0.5, 1.25]" : "[5, 1.25]",
+                            solid ? "[[1, 0, 0.25], [4, 0.5, 0.75]]" : "[[1, 0.25], [4, 0.75]]", top, friction)),
+      1);
   while (!run.finished()) run.advance();
   const auto& soil = run.state().soil;
   double moved = 0;
@@ -219,6 +224,8 @@ TEST(LevelBed, RubsAsCoulombSays) {
     }
     EXPECT_LT(std::abs(slide_on_level_bed(top, 20)), 1e-4) << top;
   }
+  const double exact = 0.045 * 9.81 * (std::sin(16 * degree) - std::tan(10 * degree) * std::cos(16 * degree));
+  EXPECT_NEAR(slide_on_level_bed<Solid>(0.2, 10), exact, 0.01 * exact);
 }
 
 }  // namespace

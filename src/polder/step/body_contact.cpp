@@ -142,22 +142,28 @@ void rub_outside(const Setup<Space>& setup, const std::vector<Met>& met, const s
     if (!(impulses[i] > 0)) continue;
     const std::ptrdiff_t out = m.at.normal[m.axis != 0] > 0 ? 0 : -lattice.stride[m.axis];
     const std::ptrdiff_t cell = setup.bodies.open_neighbour(m.face + out);
-    std::array<double, 2> v{}, mass{};
-    for (const int a : {0, up})
+    constexpr auto axes = static_cast<std::size_t>(Space::axes);
+    std::array<double, axes> v{}, mass{}, n{};
+    v[0] = -m.at.velocity[0], v[up] = -m.at.velocity[1];
+    n[0] = m.at.normal[0], n[up] = m.at.normal[1];
+    double across = 0, square = 0;
+    for (std::size_t a = 0; a < axes; ++a) {
       for (const std::ptrdiff_t f : {cell, cell + lattice.stride[a]}) {
-        mass[a != 0] += grid.soil_mass[a][f];
-        v[a != 0] += 0.5 * grid.soil_velocity[a][f];
+        mass[a] += grid.soil_mass[a][f];
+        v[a] += 0.5 * grid.soil_velocity[a][f];
       }
-    for (int a = 0; a < 2; ++a) v[a] -= m.at.velocity[a];
-    const double across = v[0] * m.at.normal[0] + v[1] * m.at.normal[1];
-    for (int a = 0; a < 2; ++a) v[a] -= across * m.at.normal[a];
-    const double speed = std::hypot(v[0], v[1]);
-    if (!(speed > 0)) continue;
-    for (const int a : {0, up})
+      across += v[a] * n[a];
+    }
+    for (std::size_t a = 0; a < axes; ++a) {
+      v[a] -= across * n[a];
+      square += v[a] * v[a];
+    }
+    if (!(square > 0)) continue;
+    const double speed = std::sqrt(square);
+    for (int a = 0; a < Space::axes; ++a)
       for (const std::ptrdiff_t f : {cell, cell + lattice.stride[a]})
         if (grid.soil_mass[a][f] > 0)
-          rubs.push_back(
-              {a, f, impulses[i] * v[a != 0] / speed * grid.soil_mass[a][f] / mass[a != 0], v[a != 0], m.at.section});
+          rubs.push_back({a, f, impulses[i] * v[a] / speed * grid.soil_mass[a][f] / mass[a], v[a], m.at.section});
   }
   std::stable_sort(rubs.begin(), rubs.end(), [](const Rub& a, const Rub& b) {
     return std::pair{a.axis, a.face} < std::pair{b.axis, b.face};
@@ -172,7 +178,8 @@ void rub_outside(const Setup<Space>& setup, const std::vector<Met>& met, const s
     }
     const double mass = grid.soil_mass[first.axis][first.face], taken = std::clamp(impulse / mass, least, most);
     grid.soil_velocity[first.axis][first.face] -= taken;
-    if (first.section < grid.body_impulse.size()) grid.body_impulse[first.section][first.axis != 0] += mass * taken;
+    if (first.section < grid.body_impulse.size() && (first.axis == 0 || first.axis == up))
+      grid.body_impulse[first.section][first.axis != 0] += mass * taken;
   }
 }
 
