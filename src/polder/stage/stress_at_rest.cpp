@@ -89,7 +89,7 @@ std::vector<FemLoad> water_loads(const Model& model, const Setup<PlaneStrain>& s
 /// Stress at a place in a triangle: linear between its three Gauss points, as the strains of quadratic triangles are.
 std::array<double, 4> stress_at(const FemSolver& solver, const FemState& state, const MeshLocator::Place& place) {
   Eigen::Matrix3d weights;
-  const auto first = static_cast<std::size_t>(3 * place.triangle);
+  const auto first = 3 * static_cast<std::size_t>(place.triangle);
   for (int g = 0; g < 3; ++g)
     for (int k = 0; k < 3; ++k) weights(k, g) = solver.points()[first + static_cast<std::size_t>(g)].weight[k];
   const Eigen::Vector3d share = weights.inverse() * Eigen::Vector3d(place.weight[0], place.weight[1], place.weight[2]);
