@@ -15,6 +15,7 @@ namespace polder {
 
 struct SplineRow {
   Vec4 weight;
+  Vec4 node;        ///< from the middle one, in spacings; 0 where there is none
   Vec4 offset;      ///< weight × (node − point), in spacings
   Vec4 derivative;  ///< dw/dx_p, per spacing
 };
@@ -26,6 +27,7 @@ inline SplineRow spline_row(double delta, Vec4 value, Vec4 slope, Vec4 curvature
   SplineRow row;
   row.weight = value + d * (slope + d * curvature);
   row.derivative = slope + (d + d) * curvature;
+  row.node = node;
   row.offset = row.weight * (node - d);
   return row;
 }
@@ -40,11 +42,15 @@ inline SplineRow centre_row(double delta) {
 
 /// The row of the three faces; `upper` is s.
 inline SplineRow face_row(double delta, int upper) {
-  static constexpr Vec4 value[2] = {{0.125, 0.75, 0.125, 0}, {0, 0.125, 0.75, 0.125}};
-  static constexpr Vec4 slope[2] = {{-0.5, 0, 0.5, 0}, {0, -0.5, 0, 0.5}};
-  static constexpr Vec4 curvature[2] = {{0.5, -1, 0.5, 0}, {0, 0.5, -1, 0.5}};
-  static constexpr Vec4 node[2] = {{-1, 0, 1, 0}, {0, -1, 0, 1}};
-  return detail::spline_row(delta, value[upper], slope[upper], curvature[upper], node[upper]);
+  struct Piece {
+    Vec4 value, slope, curvature, node;
+  };
+  static constexpr Piece pieces[2] = {
+      {{0.125, 0.75, 0.125, 0}, {-0.5, 0, 0.5, 0}, {0.5, -1, 0.5, 0}, {-1, 0, 1, 0}},
+      {{0, 0.125, 0.75, 0.125}, {0, -0.5, 0, 0.5}, {0, 0.5, -1, 0.5}, {0, -1, 0, 1}},
+  };
+  const Piece& piece = pieces[upper];
+  return detail::spline_row(delta, piece.value, piece.slope, piece.curvature, piece.node);
 }
 
 /// The same three numbers without the padding, for axes other than x.

@@ -1,5 +1,7 @@
 #pragma once
 // Four doubles at once, by the vector extension that g++ and clang share: a row of faces fits one.
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 
@@ -21,6 +23,10 @@ inline Vec4 load4(const double* from) {
 }
 inline void store4(double* to, Vec4 v) { std::memcpy(to, &v, sizeof v); }
 inline Vec4 splat4(double a) { return Vec4{a, a, a, a}; }
+
+/// As std::min and std::max, pair by pair.
+inline Vec4 min4(Vec4 a, Vec4 b) { return b < a ? b : a; }
+inline Vec4 max4(Vec4 a, Vec4 b) { return a < b ? b : a; }
 
 /// Rows become columns: afterwards `a` has the first values of all four, and so on.
 inline void transpose4(Vec4& a, Vec4& b, Vec4& c, Vec4& d) {
@@ -69,6 +75,20 @@ inline Vec4 sum_lanes(Vec4 a, Vec4 b, Vec4 c, Vec4 d) {
   return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
 }
 inline double sum_lanes(Vec4 a) { return (a[0] + a[2]) + (a[1] + a[3]); }
+
+/// The largest of n magnitudes, at least 0; what is not a number does not count.
+inline double largest_magnitude(const double* a, std::ptrdiff_t n) {
+  Vec4 most{}, least{};
+  std::ptrdiff_t i = 0;
+  for (; i + 4 <= n; i += 4) {
+    most = max4(most, load4(a + i));
+    least = min4(least, load4(a + i));
+  }
+  most = max4(most, -least);
+  double whole = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
+  for (; i < n; ++i) whole = std::max(whole, std::abs(a[i]));
+  return whole;
+}
 
 /// Σ a_i b_i, in an order that depends on n alone.
 inline double dot(const double* a, const double* b, std::ptrdiff_t n) {

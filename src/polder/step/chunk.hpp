@@ -18,15 +18,16 @@ struct alignas(64) ChunkWeights {
   static constexpr int axes = Space::axes;
   double delta[axes][2][chunk_size];          // from the middle node, spacings
   double weight[axes][2][3][chunk_size];      // of axes ≥ 1
-  double offset[axes][2][3][chunk_size];      // weight × (node − point), spacings
   double derivative[axes][2][3][chunk_size];  // per spacing
   int cell_base[chunk_size];                  // index of the stencil's first cell centre
   int face_shift[axes][chunk_size];           // further steps to the first of the three faces
   int cell[axes][chunk_size];                 // the point's cell
   double share[axes][chunk_size];             // of its cell below the point; on graded lattices
   double inertia[axes][2][chunk_size];        // Σ weight (node − point)², square spacings; likewise
+  double node[axes][2][3][chunk_size];        // from the middle one, spacings, where not −1, 0 and 1; likewise
   const SplinePiece* row[2][chunk_size];      // along x; likewise
 
+  template <bool with_derivative = true>
   void compute(const Lattice<Space>& lattice, const std::array<const double*, axes>& position, int count) {
     for (int l = 0; l < count; ++l) cell_base[l] = static_cast<int>(lattice.index(-1, -1, axes == 3 ? -1 : 0));
     for (int a = 0; a < axes; ++a) {
@@ -53,24 +54,41 @@ struct alignas(64) ChunkWeights {
         for (int l = 0; l < count; ++l) {
           double w[3], o[3], d[3];
           spline_weights(delta[a][set][l], w, o, d);
-          put(a, set, l, w, o, d);
+          put<with_derivative>(a, set, l, w, d);
         }
     }
+  }
+
+  /// What is `middle` at the middle one of point l's three nodes on axis a ≥ 1 and changes by `slope` per spacing, at
+  /// all three.
+  template <bool graded>
+  [[gnu::always_inline]] void at_nodes(int a, int set, int l, Vec4 middle, Vec4 slope, Vec4 (&at)[3]) const {
+    at[0] = graded ? middle + node[a][set][0][l] * slope : middle - slope;
+    at[1] = middle;
+    at[2] = graded ? middle + node[a][set][2][l] * slope : middle + slope;
+  }
+  /// The moment about the middle node of what is at the two beside it.
+  template <bool graded>
+  [[gnu::always_inline]] Vec4 moment(int a, int set, int l, Vec4 below, Vec4 above) const {
+    return graded ? node[a][set][0][l] * below + node[a][set][2][l] * above : above - below;
   }
 
   /// The three weights along an axis of a graded lattice, also along x.
   void weights(int a, int set, int l, double (&w)[3], double (&o)[3], double (&d)[3]) const {
     if (a == 0) return unpack(row[set][l]->row(delta[0][set][l]), set == 1 && face_shift[0][l] != 0, w, o, d);
-    for (int i = 0; i < 3; ++i)
-      w[i] = weight[a][set][i][l], o[i] = offset[a][set][i][l], d[i] = derivative[a][set][i][l];
+    for (int i = 0; i < 3; ++i) {
+      w[i] = weight[a][set][i][l];
+      o[i] = w[i] * (node[a][set][i][l] - delta[a][set][l]);
+      d[i] = derivative[a][set][i][l];
+    }
   }
 
  private:
-  void put(int a, int set, int l, const double (&w)[3], const double (&o)[3], const double (&d)[3]) {
+  template <bool with_derivative = true>
+  void put(int a, int set, int l, const double (&w)[3], const double (&d)[3]) {
     for (int i = 0; i < 3; ++i) {
       weight[a][set][i][l] = w[i];
-      offset[a][set][i][l] = o[i];
-      derivative[a][set][i][l] = d[i];
+      if constexpr (with_derivative) derivative[a][set][i][l] = d[i];
     }
   }
   static void unpack(const SplineRow& row_, int lane, double (&w)[3], double (&o)[3], double (&d)[3]) {
@@ -101,9 +119,11 @@ struct alignas(64) ChunkWeights {
           row[set][l] = pieces[set];
           continue;
         }
+        const int lane = set == 1 ? upper : 0;
         double w[3], o[3], d[3];
-        unpack(pieces[set]->row(from_middle), set == 1 ? upper : 0, w, o, d);
-        put(a, set, l, w, o, d);
+        unpack(pieces[set]->row(from_middle), lane, w, o, d);
+        put(a, set, l, w, d);
+        for (int i = 0; i < 3; ++i) node[a][set][i][l] = pieces[set]->node[lane + i];
       }
     }
   }
@@ -112,7 +132,7 @@ struct alignas(64) ChunkWeights {
 /// Index of the cell in which point l is.
 template <class Space>
 inline std::ptrdiff_t cell_index(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int l) {
-  return lattice.index(chunk.cell[0][l], chunk.cell[1][l], Space::axes == 3 ? chunk.cell[Space::axes - 1][l] : 0);
+  return chunk.cell_base[l] + 1 + lattice.stride[1] + lattice.stride[2];
 }
 
 /// The same as places on the axes.
@@ -149,23 +169,21 @@ inline double own_cell_volume(const Lattice<Space>& lattice, const ChunkWeights<
   return v;
 }
 
-/// Visits the rows of point l's stencil of component c: body(position of the row relative to the base, and the weights,
-/// offsets and derivatives of its y and z). In plane strain z's are 1, 0, 0.
+/// Visits the rows of point l's stencil of component c: body(position of the row relative to the base, weight and
+/// derivative of its y and of its z, and which of the three nodes these are). In plane strain z's are 1, 0 and 1.
 template <int c, class Space, class Body>
 [[gnu::always_inline]] inline void over_rows(const ChunkWeights<Space>& chunk,
                                              const std::array<std::ptrdiff_t, 3>& stride, int l, Body&& body) {
   constexpr int sy = c == 1;
   if constexpr (Space::axes == 2) {
     for (int j = 0; j < 3; ++j)
-      body(j * stride[1], chunk.weight[1][sy][j][l], chunk.offset[1][sy][j][l], chunk.derivative[1][sy][j][l], 1.0, 0.0,
-           0.0);
+      body(j * stride[1], chunk.weight[1][sy][j][l], chunk.derivative[1][sy][j][l], 1.0, 0.0, j, 1);
   } else {
     constexpr int sz = c == 2;
     for (int k = 0; k < 3; ++k)
       for (int j = 0; j < 3; ++j)
-        body(j * stride[1] + k * stride[2], chunk.weight[1][sy][j][l], chunk.offset[1][sy][j][l],
-             chunk.derivative[1][sy][j][l], chunk.weight[2][sz][k][l], chunk.offset[2][sz][k][l],
-             chunk.derivative[2][sz][k][l]);
+        body(j * stride[1] + k * stride[2], chunk.weight[1][sy][j][l], chunk.derivative[1][sy][j][l],
+             chunk.weight[2][sz][k][l], chunk.derivative[2][sz][k][l], j, k);
   }
 }
 
@@ -246,28 +264,32 @@ struct alignas(64) ChunkOverlap {
       if (lattice.axis[a].graded()) {
         for (int l = 0; l < count; ++l) put(l, lattice.axis[a].place(x[l]));
       } else {
+        POLDER_INDEPENDENT
         for (int l = 0; l < count; ++l) put(l, x[l] * inverse);
       }
     }
   }
 
-  /// body(cell index, share) for point l
-  template <class Body>
-  [[gnu::always_inline]] void over_cells(const Lattice<Space>& lattice, int l, Body&& body) const {
+  /// body(cell index, share of `whole`) for point l
+  template <class Content, class Body>
+  [[gnu::always_inline]] void over_cells(const Lattice<Space>& lattice, int l, Content whole, Body&& body) const {
     const std::ptrdiff_t first = base[l], next_row = lattice.stride[1], next_plane = lattice.stride[2];
-    const double x = share[0][l], y = share[1][l];
-    const auto plane = [&](std::ptrdiff_t at, double lower, double upper) {
-      body(at, x * lower);
-      body(at + 1, lower - x * lower);
-      body(at + next_row, x * upper);
-      body(at + next_row + 1, upper - x * upper);
+    const auto row = [&](std::ptrdiff_t at, Content content) {
+      const Content lower = share[0][l] * content;
+      body(at, lower);
+      body(at + 1, content - lower);
+    };
+    const auto plane = [&](std::ptrdiff_t at, Content content) {
+      const Content lower = share[1][l] * content;
+      row(at, lower);
+      row(at + next_row, content - lower);
     };
     if constexpr (axes == 2) {
-      plane(first, y, 1 - y);
+      plane(first, whole);
     } else {
-      const double z = share[axes - 1][l];
-      plane(first, y * z, (1 - y) * z);
-      plane(first + next_plane, y * (1 - z), (1 - y) * (1 - z));
+      const Content lower = share[axes - 1][l] * whole;
+      plane(first, lower);
+      plane(first + next_plane, whole - lower);
     }
   }
 };

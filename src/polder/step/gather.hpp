@@ -4,8 +4,8 @@
 
 namespace polder {
 
-/// Velocity, APIC moments (Σ w v (x_node − x_p), in spacings) and gradient (per spacing) of one component at a chunk's
-/// points.
+/// Velocity, APIC moments about the middle node of the stencil (Σ w v (x_node − x_middle), in spacings) and gradient
+/// (per spacing) of one component at a chunk's points.
 template <class Space>
 struct alignas(64) Gathered {
   double value[chunk_size];
@@ -13,91 +13,102 @@ struct alignas(64) Gathered {
   double gradient[Space::axes][chunk_size];
 };
 
-template <int c, bool with_gradient, bool graded, class Space>
-void gather_component(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int count, const double* field,
-                      Gathered<Space>& out) {
-  constexpr int axes = Space::axes, sy = c == 1, sz = c == 2;
-  const std::ptrdiff_t up = lattice.stride[1], back = lattice.stride[2];
-  const auto &wy = chunk.weight[1][sy], &oy = chunk.offset[1][sy], &dy = chunk.derivative[1][sy];
-  for (int l = 0; l < count; ++l) {
-    const double* base = field + stencil_base<c>(chunk, l);
-    Vec4 sum, offset_y, slope_y{}, offset_z{}, slope_z{};
-    const auto add_plane = [&](const double* at, Vec4& with_weight, Vec4& with_offset, Vec4& with_slope) {
-      const Vec4 low = load4(at), middle = load4(at + up), high = load4(at + 2 * up);
-      with_weight = wy[0][l] * low + wy[1][l] * middle + wy[2][l] * high;
-      with_offset = oy[0][l] * low + oy[1][l] * middle + oy[2][l] * high;
-      if constexpr (with_gradient) with_slope = dy[0][l] * low + dy[1][l] * middle + dy[2][l] * high;
-    };
-    if constexpr (axes == 2) {
-      add_plane(base, sum, offset_y, slope_y);
-    } else {
-      const auto &wz = chunk.weight[axes - 1][sz], &oz = chunk.offset[axes - 1][sz];
-      const auto& dz = chunk.derivative[axes - 1][sz];
-      sum = offset_y = Vec4{};
-      for (int k = 0; k < 3; ++k) {
-        Vec4 value, offset, slope{};
-        add_plane(base + k * back, value, offset, slope);
-        sum += wz[k][l] * value;
-        offset_y += wz[k][l] * offset;
-        offset_z += oz[k][l] * value;
-        if constexpr (with_gradient) {
-          slope_y += wz[k][l] * slope;
-          slope_z += dz[k][l] * value;
-        }
-      }
-    }
-    const SplineRow x = x_row<c, graded>(chunk, l);
-    const Vec4 first =
-        sum_lanes(sum * x.weight, sum * x.offset, offset_y * x.weight, with_gradient ? sum * x.derivative : Vec4{});
-    out.value[l] = first[0];
-    out.moment[0][l] = first[1];
-    out.moment[1][l] = first[2];
-    if constexpr (with_gradient) {
-      out.gradient[0][l] = first[3];
-      if constexpr (axes == 2) {
-        out.gradient[1][l] = sum_lanes(slope_y * x.weight);
-      } else {
-        const Vec4 second = sum_lanes(offset_z * x.weight, slope_y * x.weight, slope_z * x.weight, Vec4{});
-        out.moment[axes - 1][l] = second[0];
-        out.gradient[1][l] = second[1];
-        out.gradient[axes - 1][l] = second[2];
-      }
-    } else if constexpr (axes == 3) {
-      out.moment[axes - 1][l] = sum_lanes(offset_z * x.weight);
-    }
+/// A field summed over the planes of point l's stencil of component c, still to be weighted along x.
+template <int c, class Space>
+[[gnu::always_inline]] inline Vec4 sum_rows(const ChunkWeights<Space>& chunk,
+                                            const std::array<std::ptrdiff_t, 3>& stride, int l, const double* base) {
+  const auto& wy = chunk.weight[1][c == 1];
+  const auto plane = [&](const double* at) {
+    return wy[0][l] * load4(at) + wy[1][l] * load4(at + stride[1]) + wy[2][l] * load4(at + 2 * stride[1]);
+  };
+  if constexpr (Space::axes == 2) {
+    return plane(base);
+  } else {
+    const auto& wz = chunk.weight[2][c == 2];
+    return wz[0][l] * plane(base) + wz[1][l] * plane(base + stride[2]) + wz[2][l] * plane(base + 2 * stride[2]);
   }
 }
 
-/// The values of several fields of one component, and nothing else.
-template <int c, int fields, bool graded, class Space>
-void gather_values(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int count,
-                   const std::array<const double*, fields>& field, const std::array<double*, fields>& value) {
-  static_assert(fields <= 4);
-  constexpr int axes = Space::axes, sy = c == 1, sz = c == 2;
-  const std::ptrdiff_t up = lattice.stride[1], back = lattice.stride[2];
-  const auto& wy = chunk.weight[1][sy];
+/// to[i][l] = Σ over the lanes of part[i]. Sums over lanes are taken four at a time.
+template <int n>
+[[gnu::always_inline]] inline void store_sums(const Vec4 (&part)[n], double* const (&to)[n], int l) {
+  const auto at = [&](int i) { return i < n ? part[i] : Vec4{}; };
+  for (int i = 0; i < n; i += 4) {
+    if (i + 1 == n) {
+      to[i][l] = sum_lanes(part[i]);
+      continue;
+    }
+    const Vec4 sums = sum_lanes(at(i), at(i + 1), at(i + 2), at(i + 3));
+    for (int j = i; j < std::min(n, i + 4); ++j) to[j][l] = sums[j - i];
+  }
+}
+
+/// The sums of one field and, with the same weights, the values of `others` more.
+template <int c, bool with_gradient, bool graded, std::size_t others = 0, class Space>
+void gather_component(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int count, const double* field,
+                      Gathered<Space>& out, const std::array<const double*, others>& other = {},
+                      const std::array<double*, others>& other_value = {}) {
+  constexpr int axes = Space::axes, z = axes - 1, sy = c == 1, sz = c == 2;
+  constexpr int moments = 1, slopes = moments + axes, first_other = slopes + (with_gradient ? axes : 0);
+  constexpr int sums = first_other + static_cast<int>(others);
+  double* to[sums] = {out.value};
+  for (int a = 0; a < axes; ++a) to[moments + a] = out.moment[a];
+  for (int a = 0; with_gradient && a < axes; ++a) to[slopes + a] = out.gradient[a];
+  std::copy_n(other_value.begin(), others, to + first_other);
+
+  const auto stride = lattice.stride;  // stores to the points cannot change it
+  const auto &wy = chunk.weight[1][sy], &dy = chunk.derivative[1][sy];
   for (int l = 0; l < count; ++l) {
     const std::ptrdiff_t base = stencil_base<c>(chunk, l);
-    const auto plane = [&](const double* at) {
-      return wy[0][l] * load4(at) + wy[1][l] * load4(at + up) + wy[2][l] * load4(at + 2 * up);
+    Vec4 sum, moment_y, slope_y, moment_z{}, slope_z{};
+    const auto add_plane = [&](const double* at, Vec4& with_weight, Vec4& with_moment, Vec4& with_slope) {
+      const Vec4 low = load4(at), middle = load4(at + stride[1]), high = load4(at + 2 * stride[1]);
+      const Vec4 low_part = wy[0][l] * low, high_part = wy[2][l] * high;
+      with_weight = low_part + wy[1][l] * middle + high_part;
+      with_moment = chunk.template moment<graded>(1, sy, l, low_part, high_part);
+      with_slope = dy[0][l] * low + dy[1][l] * middle + dy[2][l] * high;
     };
-    const Vec4 x = x_row<c, graded>(chunk, l).weight;
-    Vec4 weighted[4] = {};
-    for (int f = 0; f < fields; ++f) {
-      const double* at = field[f] + base;
-      if constexpr (axes == 2) {
-        weighted[f] = x * plane(at);
-      } else {
-        const auto& wz = chunk.weight[axes - 1][sz];
-        weighted[f] = x * (wz[0][l] * plane(at) + wz[1][l] * plane(at + back) + wz[2][l] * plane(at + 2 * back));
-      }
-    }
-    if constexpr (fields == 1) {
-      value[0][l] = sum_lanes(weighted[0]);
+    if constexpr (axes == 2) {
+      add_plane(field + base, sum, moment_y, slope_y);
     } else {
-      const Vec4 sums = sum_lanes(weighted[0], weighted[1], weighted[2], weighted[3]);
-      for (int f = 0; f < fields; ++f) value[f][l] = sums[f];
+      const auto &wz = chunk.weight[z][sz], &dz = chunk.derivative[z][sz];
+      Vec4 part[3];
+      sum = moment_y = slope_y = Vec4{};
+      for (int k = 0; k < 3; ++k) {
+        Vec4 value, moment, slope;
+        add_plane(field + base + k * stride[2], value, moment, slope);
+        part[k] = wz[k][l] * value;
+        sum += part[k];
+        moment_y += wz[k][l] * moment;
+        slope_y += wz[k][l] * slope;
+        slope_z += dz[k][l] * value;
+      }
+      moment_z = chunk.template moment<graded>(z, sz, l, part[0], part[2]);
     }
+    const SplineRow x = x_row<c, graded>(chunk, l);
+    Vec4 part[sums] = {sum * x.weight};
+    part[moments + z] = moment_z * x.weight;
+    part[moments] = part[0] * x.node;
+    part[moments + 1] = moment_y * x.weight;
+    if constexpr (with_gradient) {
+      part[slopes + z] = slope_z * x.weight;
+      part[slopes] = sum * x.derivative;
+      part[slopes + 1] = slope_y * x.weight;
+    }
+    for (std::size_t f = 0; f < others; ++f)
+      part[first_other + f] = x.weight * sum_rows<c>(chunk, stride, l, other[f] + base);
+    store_sums(part, to, l);
+  }
+}
+
+/// The value of a field alone.
+template <int c, bool graded, class Space>
+void gather_value(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int count, const double* field,
+                  double* value) {
+  const auto stride = lattice.stride;  // stores to the points cannot change it
+  for (int l = 0; l < count; ++l) {
+    const Vec4 sum = sum_rows<c>(chunk, stride, l, field + stencil_base<c>(chunk, l));
+    value[l] = sum_lanes(x_row<c, graded>(chunk, l).weight * sum);
   }
 }
 
@@ -107,14 +118,17 @@ void take_motion(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk
                  std::size_t first, int count, Points& points) {
   for (int l = 0; l < count; ++l) points.velocity[c][first + l] = gathered.value[l];
   for (int a = 0; a < Space::axes; ++a) {
-    const double factor = 4 / lattice.spacing[a];
+    const double inverse = 1 / lattice.spacing[a];
     double* affine = points.affine[c * Space::axes + a].data() + first;
+    const auto about_point = [&](int l) {
+      return gathered.moment[a][l] - chunk.delta[a][a == c][l] * gathered.value[l];
+    };
     if (lattice.graded) {
-      const double inverse = 1 / lattice.spacing[a];
-      for (int l = 0; l < count; ++l) affine[l] = inverse / chunk.inertia[a][a == c][l] * gathered.moment[a][l];
+      for (int l = 0; l < count; ++l) affine[l] = inverse / chunk.inertia[a][a == c][l] * about_point(l);
       continue;
     }
-    for (int l = 0; l < count; ++l) affine[l] = factor * gathered.moment[a][l];
+    POLDER_INDEPENDENT
+    for (int l = 0; l < count; ++l) affine[l] = 4 * inverse * about_point(l);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <mutex>
 
 #include "polder/step/chunk_loop.hpp"
@@ -46,14 +47,9 @@ void shift_in_cells(const Lattice<Space>& lattice, const ChunkWeights<Space>& ch
 /// Largest of the lengths along axis c, counted in the points' own cells.
 template <int c, class Space>
 double most_cells(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int count, const double* length) {
+  if (!lattice.graded) return largest_magnitude(length, count) * (1 / lattice.spacing[c]);
   double most = 0;
-  if (lattice.graded) {
-    for (int l = 0; l < count; ++l)
-      most = std::max(most, std::abs(length[l]) / lattice.axis[c].width(chunk.cell[c][l]));
-    return most;
-  }
-  const double inverse = 1 / lattice.spacing[c];
-  for (int l = 0; l < count; ++l) most = std::max(most, std::abs(length[l]) * inverse);
+  for (int l = 0; l < count; ++l) most = std::max(most, std::abs(length[l]) / lattice.axis[c].width(chunk.cell[c][l]));
   return most;
 }
 
@@ -81,6 +77,7 @@ void stretch_boxes(double dt, const double* porosity, const bool* wet, std::size
 /// Moves points by `displacement` on axis a, held inside the phase's box; what is not a number ends at `low`, so that a
 /// run that has gone wrong stays inside its arrays until it is stopped.
 inline void move(double* x, const double* displacement, int count, double low, double high) {
+  POLDER_INDEPENDENT
   for (int l = 0; l < count; ++l) x[l] = std::min(std::max(low, x[l] + displacement[l]), high);
 }
 
@@ -91,22 +88,34 @@ bool beside_bodies(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, 
   return false;
 }
 
-/// Moves a chunk's points by `displacement`, held inside the phase's box and, if `walled`, on their side of thin walls
+/// Where a phase's points may be, by axis and side, m. They may pass a side that is open, to be taken out there, or the
+/// ends of a periodic model.
+template <class Space>
+struct Room {
+  const PhaseBox& box;
+  double end[Space::axes][2];
+
+  Room(const Lattice<Space>& lattice, const PhaseBox& box_) : box(box_) {
+    for (int a = 0; a < Space::axes; ++a) {
+      const auto gap = [&](int side) { return box.wall[a][side] == WallKind::open || box.periodic(a) ? -1 : wall_gap; };
+      end[a][0] = lattice.axis[a].at_place(box.low[a] + gap(0));
+      end[a][1] = lattice.axis[a].at_place(box.high[a] - gap(1));
+    }
+  }
+};
+
+/// Moves a chunk's points by `displacement`, held inside the phase's room and, if `walled`, on their side of thin walls
 /// and, if `bodied`, out of bodies.
 template <class Space, class Points>
-void move_chunk(const Setup<Space>& setup, const PhaseBox& box, double dt, bool walled, bool bodied, std::size_t first,
-                int count, const double (&displacement)[Space::axes][chunk_size], Points& points) {
+void move_chunk(const Setup<Space>& setup, const Room<Space>& room, double dt, bool walled, bool bodied,
+                std::size_t first, int count, const double (&displacement)[Space::axes][chunk_size], Points& points) {
   const auto& lattice = setup.lattice;
-  // points may pass a side that is open, to be taken out there, or the ends of a periodic model
-  const auto gap = [&](int axis, int side) {
-    return box.wall[axis][side] == WallKind::open || box.periodic(axis) ? -1 : wall_gap;
-  };
+  const PhaseBox& box = room.box;
   double before[Space::axes][chunk_size];
   if (walled)
     for (int a = 0; a < Space::axes; ++a) std::copy_n(points.position[a].data() + first, count, before[a]);
   for (int a = 0; a < Space::axes; ++a)
-    move(points.position[a].data() + first, displacement[a], count, lattice.axis[a].at_place(box.low[a] + gap(a, 0)),
-         lattice.axis[a].at_place(box.high[a] - gap(a, 1)));
+    move(points.position[a].data() + first, displacement[a], count, room.end[a][0], room.end[a][1]);
   for (int a = 0; a < Space::axes; ++a)
     for (int side = 0; side < 2; ++side) {
       if (box.wall[a][side] != WallKind::open || box.opening[a][side].whole()) continue;
@@ -129,24 +138,27 @@ void move_chunk(const Setup<Space>& setup, const PhaseBox& box, double dt, bool 
   }
 }
 
-/// The sums of a component at a chunk's points.
-template <int c, bool with_gradient, class Space>
+/// The sums of a component at a chunk's points, and the values of others there.
+template <int c, bool with_gradient, std::size_t others = 0, class Space>
 void gather(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, bool walled, int count, const Array& field,
-            Gathered<Space>& out) {
-  if (walled) return gather_beside_walls<c, with_gradient>(setup.walls, setup.lattice, chunk, count, field.data(), out);
-  by_spacing(setup.lattice, [&]<bool graded>() {
-    gather_component<c, with_gradient, graded>(setup.lattice, chunk, count, field.data(), out);
-  });
-}
-template <int c, int fields, class Space>
-void gather(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, bool walled, int count,
-            const std::array<const double*, fields>& field, const std::array<double*, fields>& value) {
+            Gathered<Space>& out, const std::array<const double*, others>& other = {},
+            const std::array<double*, others>& other_value = {}) {
   if (!walled)
     return by_spacing(setup.lattice, [&]<bool graded>() {
-      gather_values<c, fields, graded>(setup.lattice, chunk, count, field, value);
+      gather_component<c, with_gradient, graded>(setup.lattice, chunk, count, field.data(), out, other, other_value);
     });
-  for (int f = 0; f < fields; ++f)
-    gather_value_beside_walls<c>(setup.walls, setup.lattice, chunk, count, field[f], value[f]);
+  gather_beside_walls<c, with_gradient>(setup.walls, setup.lattice, chunk, count, field.data(), out);
+  for (std::size_t f = 0; f < others; ++f)
+    gather_value_beside_walls<c>(setup.walls, setup.lattice, chunk, count, other[f], other_value[f]);
+}
+
+/// The value of a component alone.
+template <int c, class Space>
+void gather(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, bool walled, int count, const Array& field,
+            double* value) {
+  if (walled) return gather_value_beside_walls<c>(setup.walls, setup.lattice, chunk, count, field.data(), value);
+  by_spacing(setup.lattice,
+             [&]<bool graded>() { gather_value<c, graded>(setup.lattice, chunk, count, field.data(), value); });
 }
 
 /// The grid's porosity around a soil point.
@@ -161,12 +173,15 @@ double grid_porosity(const Setup<Space>& setup, const GridFields<Space>& grid, c
   return n;
 }
 
-/// Runs body(begin, end) for every group of the points [first, first + count), counted from `first`.
-template <class Space, class Body>
-void over_groups(const SoilPoints<Space>& soil, std::size_t first, int count, Body&& body) {
+/// Runs take(point) and then body(begin, end) for every group of the points [first, first + count), counted from
+/// `first`.
+template <class Space, class Take, class Body>
+void over_groups(const SoilPoints<Space>& soil, std::size_t first, int count, Take&& take, Body&& body) {
   const std::int32_t* home = soil.home.data() + first;
   for (int begin = 0, end = 0; begin < count; begin = end) {
-    while (end < count && home[end] == home[begin]) ++end;
+    const std::int32_t own = home[begin];
+    do take(end++);
+    while (end < count && home[end] == own);
     body(begin, end);
   }
 }
@@ -184,14 +199,15 @@ void share_dilation(double fbar, std::size_t first, int count, const VelocityGra
     change[l] = volume[l] * own;
     dilation[l] = (1 - fbar) * own;
   }
-  over_groups(soil, first, count, [&](int begin, int end) {
-    double whole = 0, of_all = 0;
-    for (int l = begin; l < end; ++l) {
-      whole += volume[l];
-      of_all += change[l];
-    }
+  double whole = 0, of_all = 0;
+  const auto take = [&](int l) {
+    whole += volume[l];
+    of_all += change[l];
+  };
+  over_groups(soil, first, count, take, [&](int begin, int end) {
     const double mean = fbar * (of_all / whole);
     for (int l = begin; l < end; ++l) dilation[l] += mean;
+    whole = of_all = 0;
   });
 }
 
@@ -220,21 +236,20 @@ void mix_porosity(const double* plastic_shear, std::size_t first, std::size_t la
 
 template <class Space>
 void mix_porosities(const double* plastic_shear, std::size_t first, int count, SoilPoints<Space>& soil) {
-  double most = 0;
-  for (int l = 0; l < count; ++l) most = std::max(most, std::abs(plastic_shear[l]));
-  if (most == 0) return;
-  over_groups(soil, first, count, [&](int begin, int end) {
-    mix_porosity(plastic_shear + begin, first + static_cast<std::size_t>(begin), first + static_cast<std::size_t>(end),
-                 soil);
-  });
+  if (largest_magnitude(plastic_shear, count) == 0) return;
+  over_groups(
+      soil, first, count, [](int) {},
+      [&](int begin, int end) {
+        mix_porosity(plastic_shear + begin, first + static_cast<std::size_t>(begin),
+                     first + static_cast<std::size_t>(end), soil);
+      });
 }
 
 /// The porosity of points whose grains are out of contact follows the grid's.
 template <class Space>
 void relax_porosities(const Setup<Space>& setup, const GridFields<Space>& grid, const std::ptrdiff_t* cell,
                       std::size_t first, int count, SoilPoints<Space>& soil) {
-  const std::uint8_t* fluid = soil.fluid.data() + first;
-  if (std::find(fluid, fluid + count, 1) == fluid + count) return;
+  if (std::memchr(soil.fluid.data() + first, 1, static_cast<std::size_t>(count)) == nullptr) return;
   for (int l = 0; l < count; ++l) {
     const std::size_t p = first + static_cast<std::size_t>(l);
     if (!soil.fluid[p] || !grid.wet[cell[l]]) continue;
@@ -261,11 +276,12 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
                      WaterPoints<Space>& water, Team& team) {
   const auto& lattice = setup.lattice;
   const bool stretched = setup.stretches_water();
+  const Room<Space> room(lattice, setup.water_box);
   return over_tiles(tiling, team, [&](TileRange tile) {
     Motion motion;
     ChunkWeights<Space> chunk;
     Gathered<Space> gathered;
-    double displacement[Space::axes][chunk_size], porosity[chunk_size], discharge[chunk_size];
+    double displacement[Space::axes][chunk_size], porosity[chunk_size], discharge[chunk_size], carried[chunk_size];
     bool wet[chunk_size];
     for (std::uint32_t done = 0; done < tile.count; done += chunk_size) {
       const std::size_t first = tile.first + done;
@@ -273,34 +289,32 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
       const Upcoming<Space> upcoming(lattice, water.home, first, count);
       upcoming.ask_for_points(water.position, water.velocity, water.affine);
       upcoming.template ask_for_grid<1>(lattice, grid.water_velocity, grid.shift, grid.discharge, grid.soil_velocity);
-      chunk.compute(lattice, pointers_at<Space>(water.position, first), count);
+      chunk.template compute<false>(lattice, pointers_at<Space>(water.position, first), count);
       const bool walled = beside_walls(setup.walls, lattice, chunk, count);
       const bool bodied = beside_bodies(setup, chunk, count);
-      bool in_soil = false;
-      for (int l = 0; l < count; ++l) {
-        const std::ptrdiff_t cell = cell_index(lattice, chunk, l);
-        porosity[l] = grid.cell_porosity[cell];
-        wet[l] = grid.wet[cell];
-        in_soil = in_soil || porosity[l] < 1;
-      }
+      for (int l = 0; l < count; ++l) porosity[l] = grid.cell_porosity[cell_index(lattice, chunk, l)];
+      const bool in_soil = std::any_of(porosity, porosity + count, [](double n) { return n < 1; });
       over_components<Space>([&]<int c>() {
-        gather<c, false>(setup, chunk, walled, count, grid.water_velocity[c], gathered);
-        take_motion<c>(lattice, chunk, gathered, first, count, water);
+        const double *shift = grid.shift[c].data(), *velocity = gathered.value;
         if (in_soil) {
-          gather<c, 3>(setup, chunk, walled, count,
-                       {grid.shift[c].data(), grid.discharge[c].data(), grid.soil_velocity[c].data()},
-                       {displacement[c], discharge, gathered.value});
-          for (int l = 0; l < count; ++l) gathered.value[l] += discharge[l] / porosity[l];
+          gather<c, false, 3>(setup, chunk, walled, count, grid.water_velocity[c], gathered,
+                              {shift, grid.discharge[c].data(), grid.soil_velocity[c].data()},
+                              {displacement[c], discharge, carried});
+          for (int l = 0; l < count; ++l) carried[l] += discharge[l] / porosity[l];
+          velocity = carried;
         } else {
-          gather<c, 1>(setup, chunk, walled, count, {grid.shift[c].data()}, {displacement[c]});
+          gather<c, false, 1>(setup, chunk, walled, count, grid.water_velocity[c], gathered, {shift},
+                              {displacement[c]});
         }
+        take_motion<c>(lattice, chunk, gathered, first, count, water);
         if (stretched) shift_in_cells<c>(lattice, chunk, count, grid.shift[c], displacement[c]);
-        for (int l = 0; l < count; ++l) displacement[c][l] += dt * gathered.value[l];
-        motion.speed = std::max(motion.speed, most_cells<c>(lattice, chunk, count, gathered.value));
+        for (int l = 0; l < count; ++l) displacement[c][l] += dt * velocity[l];
+        motion.speed = std::max(motion.speed, most_cells<c>(lattice, chunk, count, velocity));
         motion.drift = std::max(motion.drift, most_cells<c>(lattice, chunk, count, displacement[c]));
       });
+      for (int l = 0; stretched && l < count; ++l) wet[l] = grid.wet[cell_index(lattice, chunk, l)];
       if (stretched) stretch_boxes(dt, porosity, wet, first, count, water);
-      move_chunk(setup, setup.water_box, dt, walled, bodied, first, count, displacement, water);
+      move_chunk(setup, room, dt, walled, bodied, first, count, displacement, water);
     }
     return motion;
   });
@@ -311,6 +325,7 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
                     SoilPoints<Space>& soil, Team& team) {
   const auto& lattice = setup.lattice;
   const double fbar = setup.numerics.fbar;
+  const Room<Space> room(lattice, setup.soil_box);
   return over_tiles(tiling, team, [&](TileRange tile) {
     Motion motion;
     ChunkWeights<Space> chunk;
@@ -333,7 +348,7 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
         gather<c, true>(setup, chunk, walled, count, grid.soil_velocity[c], gathered);
         take_motion<c>(lattice, chunk, gathered, first, count, soil);
         if (setup.numerics.transfer == Transfer::xpic) {
-          gather<c, 1>(setup, chunk, walled, count, {grid.unresolved[c].data()}, {displacement[c]});
+          gather<c>(setup, chunk, walled, count, grid.unresolved[c], displacement[c]);
           for (int l = 0; l < count; ++l) soil.velocity[c][first + l] += displacement[c][l];
         }
         for (int a = 0; a < Space::axes; ++a) {
@@ -344,7 +359,7 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
         motion.speed = std::max(motion.speed, most_cells<c>(lattice, chunk, count, gathered.value));
       });
       motion.drift = motion.speed * dt;
-      move_chunk(setup, setup.soil_box, dt, walled, bodied, first, count, displacement, soil);
+      move_chunk(setup, room, dt, walled, bodied, first, count, displacement, soil);
 
       share_dilation(fbar, first, count, gradients, soil, dilation);
       update_soil(setup, dt, first, count, gradients, dilation, soil, plastic_shear);

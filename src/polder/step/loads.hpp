@@ -36,10 +36,9 @@ void press_on(const Setup<Space>& setup, const SoilPoints<Space>& soil, std::siz
   Vec4 row = splat4(-force);
   by_spacing(lattice, [&]<bool graded>() { row *= x_row<up, graded>(chunk, 0).weight; });
   const std::ptrdiff_t base = stencil_base<up>(chunk, 0);
-  over_rows<up>(chunk, lattice.stride, 0,
-                [&](std::ptrdiff_t offset, double wy, double, double, double wz, double, double) {
-                  store4(field + base + offset, load4(field + base + offset) + (wy * wz) * row);
-                });
+  over_rows<up>(chunk, lattice.stride, 0, [&](std::ptrdiff_t offset, double wy, double, double wz, auto...) {
+    store4(field + base + offset, load4(field + base + offset) + (wy * wz) * row);
+  });
 }
 
 /// N, downwards, at `time`: the force of the load that a soil point carries, on its share of its column; 0: it carries

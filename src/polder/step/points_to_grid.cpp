@@ -117,15 +117,12 @@ struct HalfEdges {
 template <class Space, class Content, class Add>
 void over_boxes(const Setup<Space>& setup, const std::array<Array, Space::axes>& position, const PhaseBox& box,
                 std::size_t first, int count, const ChunkWeights<Space>& chunk, bool walled,
-                const HalfEdges<Space>& half_edges, Content&& content, Add&& add) {
+                const HalfEdges<Space>& half_edges, Content content, Add add) {
   const auto& lattice = setup.lattice;
   if (!walled && !setup.bodies.any()) {
     ChunkOverlap<Space> overlap;
     overlap.compute(lattice, pointers_at<Space>(position, first), half_edges.along, count, box.low, box.high);
-    for (int l = 0; l < count; ++l) {
-      const auto whole = content(l);
-      overlap.over_cells(lattice, l, [&](std::ptrdiff_t cell, double share) { add(cell, share * whole); });
-    }
+    for (int l = 0; l < count; ++l) overlap.over_cells(lattice, l, content(l), add);
     return;
   }
   for (int l = 0; l < count; ++l) {
@@ -252,12 +249,14 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
     content.compute(setup, grid, soil, first, count, chunk);
     HalfEdges<Space> half_edges{content.half_edge, {}};
     half_edges.along.fill(content.half_edge);
-    const auto share_out = [&](auto&& what, auto&& add) {
+    const auto share_out = [&](auto what, auto add) {
       over_boxes(setup, soil.position, setup.soil_box, first, count, chunk, walled, half_edges, what, add);
     };
-    double* sums = grid.soil_sums.data();
-    share_out([&](int l) { return content.horizontal[l]; },
-              [&](std::ptrdiff_t cell, Vec4 part) { store4(sums + 4 * cell, load4(sums + 4 * cell) + part); });
+    const Vec4* horizontal = content.horizontal;
+    share_out([horizontal](int l) { return horizontal[l]; },
+              [sums = grid.soil_sums.data()](std::ptrdiff_t cell, Vec4 part) {
+                store4(sums + 4 * cell, load4(sums + 4 * cell) + part);
+              });
     if (setup.anisotropic) {
       share_out([&](int l) { return content.linear_up[l]; },
                 [&](std::ptrdiff_t cell, double part) { grid.linear_drag[1][cell] += part; });
@@ -282,7 +281,7 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
         return scatter_beside_walls<c, true>(setup.walls, lattice, soil, mass, over, first, count, chunk, masses,
                                              momenta, forces);
       Contribution<Space> contribution;
-      contribution.template take_momentum<c>(lattice, soil, mass, first, count);
+      contribution.template take_motion<c>(lattice, chunk, soil, mass, first, count);
       contribution.template take_force<c>(lattice, soil, volume, first, count);
       by_spacing(lattice, [&]<bool graded>() {
         scatter_component<c, true, graded>(lattice, chunk, contribution, count, masses, momenta, forces);
@@ -330,7 +329,7 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
     upcoming.template ask_for_grid<1>(lattice, grid.water_mass, grid.water_velocity, grid.water_volume,
                                       grid.cell_porosity);
     ChunkWeights<Space> chunk;
-    chunk.compute(lattice, pointers_at<Space>(water.position, first), count);
+    chunk.template compute<false>(lattice, pointers_at<Space>(water.position, first), count);
     const bool walled = beside_walls(setup.walls, lattice, chunk, count);
     const double* volume = water.volume.data() + first;
     double mass[chunk_size], half[chunk_size], elongated[Space::axes][chunk_size];
@@ -350,17 +349,17 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
       for (int l = 0; l < count; ++l) elongated[a][l] = std::max(thinnest_half, half[l] * (1 + elongation[l]));
       half_edges.along[a] = elongated[a];
     }
-    double* water_volume = grid.water_volume.data();
     over_boxes(
         setup, water.position, setup.water_box, first, count, chunk, walled, half_edges,
-        [&](int l) { return volume[l]; }, [&](std::ptrdiff_t cell, double part) { water_volume[cell] += part; });
+        [volume](int l) { return volume[l]; },
+        [sums = grid.water_volume.data()](std::ptrdiff_t cell, double part) { sums[cell] += part; });
     over_components<Space>([&]<int c>() {
       double *masses = grid.water_mass[c].data(), *momenta = grid.water_velocity[c].data();
       if (walled)
         return scatter_beside_walls<c, false>(setup.walls, lattice, water, mass, nullptr, first, count, chunk, masses,
                                               momenta, nullptr);
       Contribution<Space> contribution;
-      contribution.template take_momentum<c>(lattice, water, mass, first, count);
+      contribution.template take_motion<c>(lattice, chunk, water, mass, first, count);
       by_spacing(lattice, [&]<bool graded>() {
         scatter_component<c, false, graded>(lattice, chunk, contribution, count, masses, momenta, nullptr);
       });

@@ -11,22 +11,29 @@ namespace polder {
 template <class Space>
 struct alignas(64) Contribution {
   static constexpr int axes = Space::axes;
-  const double* mass;               // kg
-  double momentum[chunk_size];      // kg m/s
-  double affine[axes][chunk_size];  // change of the momentum per spacing, kg m/s
-  double force[axes][chunk_size];   // −V σ_ca/h_a, N
+  const double* mass;              // kg
+  double velocity[chunk_size];     // of the point's affine motion at the middle node of its stencil, m/s
+  double slope[axes][chunk_size];  // its change per spacing, m/s
+  double force[axes][chunk_size];  // −V σ_ca/h_a, N
 
-  /// APIC: mass × velocity and mass × its gradient.
+  /// APIC.
   template <int c, class Points>
-  void take_momentum(const Lattice<Space>& lattice, const Points& points, const double* mass_, std::size_t first,
-                     int count) {
+  void take_motion(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, const Points& points,
+                   const double* mass_, std::size_t first, int count) {
     mass = mass_;
-    const double* velocity = points.velocity[c].data() + first;
-    for (int l = 0; l < count; ++l) momentum[l] = mass_[l] * velocity[l];
-    for (int a = 0; a < axes; ++a) {
-      const double h = lattice.spacing[a];
-      const double* gradient = points.affine[c * axes + a].data() + first;
-      for (int l = 0; l < count; ++l) affine[a][l] = mass_[l] * h * gradient[l];
+    const double* own = points.velocity[c].data() + first;
+    const double* gradient[axes];
+    for (int a = 0; a < axes; ++a) gradient[a] = points.affine[c * axes + a].data() + first;
+    const auto h = lattice.spacing;
+    POLDER_INDEPENDENT
+    for (int l = 0; l < count; ++l) {
+      double v = own[l];
+      for (int a = 0; a < axes; ++a) {
+        const double change = h[a] * gradient[a][l];
+        v -= chunk.delta[a][a == c][l] * change;
+        slope[a][l] = change;
+      }
+      velocity[l] = v;
     }
   }
 
@@ -43,14 +50,15 @@ struct alignas(64) Contribution {
 
 /// Three rows of mass and momentum (and force), one above the other along y.
 struct PlaneOfRows {
-  Vec4 mass, momentum, momentum_y, force, force_y;
+  Vec4 mass, velocity[3], force, force_y;
 
   template <bool with_force>
-  [[gnu::always_inline]] void add_row(Vec4 weight, Vec4 offset, Vec4 derivative, std::ptrdiff_t row, double* masses,
+  [[gnu::always_inline]] void add_row(int j, Vec4 weight, Vec4 derivative, std::ptrdiff_t row, double* masses,
                                       double* momenta, double* forces) const {
-    store4(masses + row, load4(masses + row) + weight * mass);
-    store4(momenta + row, load4(momenta + row) + (weight * momentum + offset * momentum_y));
-    if constexpr (with_force) store4(forces + row, load4(forces + row) + (weight * force + derivative * force_y));
+    const Vec4 share = weight * mass;
+    store4(masses + row, load4(masses + row) + share);
+    store4(momenta + row, load4(momenta + row) + share * velocity[j]);
+    if constexpr (with_force) store4(forces + row, load4(forces + row) + weight * force + derivative * force_y);
   }
 };
 
@@ -61,42 +69,38 @@ void scatter_component(const Lattice<Space>& lattice, const ChunkWeights<Space>&
                        double* force_field) {
   constexpr int axes = Space::axes, sy = c == 1, sz = c == 2;
   const std::ptrdiff_t up = lattice.stride[1], back = lattice.stride[2];
-  const auto &wy = chunk.weight[1][sy], &oy = chunk.offset[1][sy], &dy = chunk.derivative[1][sy];
+  const auto &wy = chunk.weight[1][sy], &dy = chunk.derivative[1][sy];
   for (int l = 0; l < count; ++l) {
     const SplineRow x = x_row<c, graded>(chunk, l);
     const Vec4 mass = points.mass[l] * x.weight;
-    const Vec4 momentum = points.momentum[l] * x.weight + points.affine[0][l] * x.offset;
-    const Vec4 momentum_y = points.affine[1][l] * x.weight;
+    const Vec4 velocity = points.velocity[l] + points.slope[0][l] * x.node, slope_y = splat4(points.slope[1][l]);
     Vec4 force{}, force_y{};
     if constexpr (with_force) {
       force = points.force[0][l] * x.derivative;
       force_y = points.force[1][l] * x.weight;
     }
     std::ptrdiff_t at = stencil_base<c>(chunk, l);
-    const auto add_plane = [&](const PlaneOfRows& plane) {
+    const auto add_plane = [&](Vec4 mass_, Vec4 velocity_, Vec4 force_, Vec4 force_y_) {
+      PlaneOfRows plane{mass_, {}, force_, force_y_};
+      chunk.template at_nodes<graded>(1, sy, l, velocity_, slope_y, plane.velocity);
       const std::ptrdiff_t rows[3] = {at, at + up, at + 2 * up};
       const auto add_row = [&](int j) {
-        plane.add_row<with_force>(splat4(wy[j][l]), splat4(oy[j][l]), splat4(dy[j][l]), rows[j], mass_field,
-                                  momentum_field, force_field);
+        plane.add_row<with_force>(j, splat4(wy[j][l]), splat4(dy[j][l]), rows[j], mass_field, momentum_field,
+                                  force_field);
       };
       add_row(0);
       add_row(1);
       add_row(2);
     };
     if constexpr (axes == 2) {
-      add_plane({mass, momentum, momentum_y, force, force_y});
+      add_plane(mass, velocity, force, force_y);
     } else {
-      const Vec4 momentum_z = points.affine[axes - 1][l] * x.weight;
-      Vec4 force_z{};
+      Vec4 velocities[3], force_z{};
+      chunk.template at_nodes<graded>(axes - 1, sz, l, velocity, splat4(points.slope[axes - 1][l]), velocities);
       if constexpr (with_force) force_z = points.force[axes - 1][l] * x.weight;
       for (int k = 0; k < 3; ++k, at += back) {
-        const double w = chunk.weight[axes - 1][sz][k][l], o = chunk.offset[axes - 1][sz][k][l];
-        PlaneOfRows plane{w * mass, w * momentum + o * momentum_z, w * momentum_y, Vec4{}, Vec4{}};
-        if constexpr (with_force) {
-          plane.force = w * force + chunk.derivative[axes - 1][sz][k][l] * force_z;
-          plane.force_y = w * force_y;
-        }
-        add_plane(plane);
+        const double w = chunk.weight[axes - 1][sz][k][l], d = chunk.derivative[axes - 1][sz][k][l];
+        add_plane(w * mass, velocities[k], w * force + d * force_z, w * force_y);
       }
     }
   }
@@ -111,7 +115,7 @@ void scatter_value(const Lattice<Space>& lattice, const ChunkWeights<Space>& chu
     for (int l = 0; l < count; ++l) {
       const Vec4 row = value[l] * x_row<c, graded>(chunk, l).weight;
       double* base = field + stencil_base<c>(chunk, l);
-      over_rows<c>(chunk, stride, l, [&](std::ptrdiff_t at, double wy, double, double, double wz, double, double) {
+      over_rows<c>(chunk, stride, l, [&](std::ptrdiff_t at, double wy, double, double wz, auto...) {
         store4(base + at, load4(base + at) + (wy * wz) * row);
       });
     }

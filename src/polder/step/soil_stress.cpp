@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include "polder/step/large_strain.hpp"
 
@@ -79,13 +80,12 @@ void rotate_stress(const VelocityGradients<Space>& gradients, double dt, std::si
 /// The porosity after a volume change: 1 − n falls as e^−ε_v. Steps are so short that the series is exact to round-off;
 /// where they are not, the exponential itself.
 void follow_volume(const double* dilation, double dt, int count, double* porosity) {
-  double largest = 0;
-  for (int l = 0; l < count; ++l) largest = std::max(largest, std::abs(dilation[l] * dt));
+  const bool short_step = largest_magnitude(dilation, count) * dt < 0.1;
   for (int l = 0; l < count; ++l) {
     const double v = -dilation[l] * dt;
     const double decay =
         1 + v * (1 + v / 2 * (1 + v / 3 * (1 + v / 4 * (1 + v / 5 * (1 + v / 6 * (1 + v / 7 * (1 + v / 8)))))));
-    const double n = 1 - (1 - porosity[l]) * (largest < 0.1 ? decay : std::exp(v));
+    const double n = 1 - (1 - porosity[l]) * (short_step ? decay : std::exp(v));
     porosity[l] = std::min(std::max(n, least_porosity), most_porosity);
   }
 }
@@ -161,7 +161,8 @@ void update_all(const SoilMaterial& material, std::size_t first, int count, cons
   for (int l = 0; l < count; ++l) plastic_shear[l] = batch.state[0][l] - before[l];
   for (int s = 0; s < Space::stress; ++s) copy(batch.stress[s], soil.stress[s]);
   for (int s = 0; s < StressBatch<Space::stress>::max_state; ++s)  // what the law leaves alone need not be written
-    if (!std::equal(batch.state[s], batch.state[s] + count, soil.state[s].data() + first))
+    if (std::memcmp(batch.state[s], soil.state[s].data() + first, sizeof(double) * static_cast<std::size_t>(count)) !=
+        0)
       copy(batch.state[s], soil.state[s]);
 }
 
@@ -189,9 +190,8 @@ void update_soil(const Setup<Space>& setup, double dt, std::size_t first, int co
   const std::uint8_t *own = soil.material.data() + first, *fluid = soil.fluid.data() + first;
   if (std::equal(own + 1, own + count, own)) {
     const SoilMaterial& material = setup.materials[own[0]];
-    double loosest = 0;
-    for (int l = 0; l < count; ++l) loosest = std::max(loosest, batch.porosity[l]);
-    if (!material.fixed && loosest <= material.max_porosity && std::find(fluid, fluid + count, 1) == fluid + count)
+    if (!material.fixed && largest_magnitude(batch.porosity, count) <= material.max_porosity &&
+        std::memchr(fluid, 1, static_cast<std::size_t>(count)) == nullptr)
       return update_all<Space>(material, first, count, shear, batch, soil, plastic_shear);
   }
   std::fill_n(plastic_shear, count, 0.0);

@@ -29,8 +29,7 @@ void find_unresolved(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
       if (walled)
         gather_value_beside_walls<c>(setup.walls, lattice, chunk, count, before, lost);
       else
-        by_spacing(lattice,
-                   [&]<bool graded>() { gather_values<c, 1, graded>(lattice, chunk, count, {before}, {lost}); });
+        by_spacing(lattice, [&]<bool graded>() { gather_value<c, graded>(lattice, chunk, count, before, lost); });
       for (int l = 0; l < count; ++l) lost[l] = soil.mass[first + l] * (soil.velocity[c][first + l] - lost[l]);
       double* field = grid.unresolved[c].data();
       if (walled)

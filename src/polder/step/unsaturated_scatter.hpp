@@ -79,31 +79,35 @@ void scatter_mixture(const Lattice<Space>& lattice, const SoilPoints<Space>& poi
     const auto affine = [&](int a) { return points.affine[c * axes + a][p]; };
     const auto stress = [&](int a) { return points.stress[stress_index<Space>(c, a)][p]; };
     const Vec4 mass_row = m * row.weight, held_row = load.held[l] * row.weight;
-    const Vec4 momentum_row = (m * points.velocity[c][p]) * row.weight + (m * h[0] * affine(0)) * row.offset;
-    const Vec4 momentum_y = (m * h[1] * affine(1)) * row.weight;
+    // the point's affine motion at the node that is the middle one along y and z, and its change per spacing along them
+    Vec4 velocity = points.velocity[c][p] + (h[0] * affine(0)) * (row.node - chunk.delta[0][c == 0][l]);
+    double slope_of[3] = {0, h[1] * affine(1), axes == 3 ? h[2] * affine(axes - 1) : 0};
+    for (int a = 1; a < axes; ++a) velocity -= splat4(chunk.delta[a][a == c][l] * slope_of[a]);
+    const auto node = [&](int a, int i) {
+      if constexpr (graded) return chunk.node[a][a == c][i][l];
+      return static_cast<double>(i - 1);
+    };
     Vec4 force_row = (v(0) * stress(0) / h[0]) * slope;
     if (c == Space::up) force_row -= load.weight[l] * row.weight;
     if constexpr (c == 0 && leans) force_row += load.along[l] * row.weight;
     const Vec4 force_y = (v(1) * stress(1) / h[1]) * row.weight;
-    Vec4 momentum_z{}, force_z{};
-    if constexpr (axes == 3) {
-      momentum_z = (m * h[2] * affine(axes - 1)) * row.weight;
-      force_z = (v(axes - 1) * stress(axes - 1) / h[2]) * row.weight;
-    }
+    Vec4 force_z{};
+    if constexpr (axes == 3) force_z = (v(axes - 1) * stress(axes - 1) / h[2]) * row.weight;
     const std::ptrdiff_t base = stencil_base<c>(chunk, l);
     over_rows<c>(chunk, lattice.stride, l,
-                 [&](std::ptrdiff_t at, double wy, double oy, double dy, double wz, double oz, double dz) {
-                   const std::ptrdiff_t node = base + at;
-                   store4(mass_field + node, load4(mass_field + node) + (wy * wz) * mass_row);
-                   if (held_field) store4(held_field + node, load4(held_field + node) + (wy * wz) * held_row);
-                   Vec4 q = load4(momentum_field + node) + (wy * wz) * momentum_row + (oy * wz) * momentum_y;
-                   Vec4 f = load4(force_field + node) + (wy * wz) * force_row + (dy * wz) * force_y;
+                 [&](std::ptrdiff_t at, double wy, double dy, double wz, double dz, int j, int k) {
+                   const std::ptrdiff_t to = base + at;
+                   const Vec4 share = (wy * wz) * mass_row;
+                   double beyond = node(1, j) * slope_of[1];
+                   Vec4 f = load4(force_field + to) + (wy * wz) * force_row + (dy * wz) * force_y;
                    if constexpr (axes == 3) {
-                     q += (wy * oz) * momentum_z;
+                     beyond += node(axes - 1, k) * slope_of[axes - 1];
                      f += (wy * dz) * force_z;
                    }
-                   store4(momentum_field + node, q);
-                   store4(force_field + node, f);
+                   store4(mass_field + to, load4(mass_field + to) + share);
+                   if (held_field) store4(held_field + to, load4(held_field + to) + (wy * wz) * held_row);
+                   store4(momentum_field + to, load4(momentum_field + to) + share * (velocity + beyond));
+                   store4(force_field + to, f);
                  });
   }
 }

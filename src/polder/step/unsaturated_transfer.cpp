@@ -179,10 +179,9 @@ void bulk_to_faces(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
       }
       const Vec4 row = volume * x_row<up>(chunk, l).weight;
       double* base = field + stencil_base<up>(chunk, l);
-      over_rows<up>(chunk, lattice.stride, l,
-                    [&](std::ptrdiff_t at, double wy, double, double, double wz, double, double) {
-                      store4(base + at, load4(base + at) + (wy * wz) * row);
-                    });
+      over_rows<up>(chunk, lattice.stride, l, [&](std::ptrdiff_t at, double wy, double, double wz, auto...) {
+        store4(base + at, load4(base + at) + (wy * wz) * row);
+      });
     }
   });
   fold(pores.face_bulk, up, false, setup.soil_box, lattice);
@@ -255,10 +254,9 @@ Motion gather_rates(const Setup<Space>& setup, const GridFields<Space>& grid, co
       for (int l = 0; c == 0 && !walled && l < count; ++l) {
         const double* base = grid.soil_velocity[c].data() + stencil_base<c>(chunk, l);
         Vec4 sum{};
-        over_rows<c>(chunk, lattice.stride, l,
-                     [&](std::ptrdiff_t at, double wy, double, double, double wz, double, double) {
-                       sum += (wy * wz) * load4(base + at);
-                     });
+        over_rows<c>(chunk, lattice.stride, l, [&](std::ptrdiff_t at, double wy, double, double wz, auto...) {
+          sum += (wy * wz) * load4(base + at);
+        });
         gathered.gradient[0][l] = sum_lanes(sum * x_difference(lattice, chunk, l));
       }
       take_motion<c>(lattice, chunk, gathered, first, count, soil);

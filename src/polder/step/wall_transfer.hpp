@@ -115,7 +115,7 @@ void gather_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& la
       const double v = node.sign * field[node.at];
       out.value[l] += node.value() * v;
       for (int a = 0; a < Space::axes; ++a) {
-        out.moment[a][l] += node.moment(a) * v;
+        out.moment[a][l] += (node.moment(a) + chunk.delta[a][a == c][l] * node.value()) * v;
         if constexpr (with_gradient) out.gradient[a][l] += node.slope(a) * v;
       }
     });
