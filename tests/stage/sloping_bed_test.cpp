@@ -169,7 +169,7 @@ TEST(SlopingBed, LetsABlockSlideAgainstFriction) {
 
 /// A dry block on a level bed under gravity that leans by 16°: how far it slides in 0.3 s, m.
 template <class Space = PlaneStrain>
-double slide_on_level_bed(double top, double friction) {
+double slide_on_level_bed(const std::string& bed, double friction) {
   const bool solid = Space::axes == 3;
   Simulation<Space> run(
       read_text(fmt::format(R"(
@@ -192,7 +192,7 @@ stress = "gravity"
 material = "block"
 box = {}
 [[wall]]
-box = [[0, 0], [5, {}]]
+{}
 friction_angle = "{} deg"
 [[stage]]
 name = "rest"
@@ -205,7 +205,7 @@ name = "slide"
 duration = "0.3 s"
 )",
                             solid ? "3d" : "plane-strain", solid ? "[5, 0.5, 1.25]" : "[5, 1.25]",
-                            solid ? "[[1, 0, 0.25], [4, 0.5, 0.75]]" : "[[1, 0.25], [4, 0.75]]", top, friction)),
+                            solid ? "[[1, 0, 0.25], [4, 0.5, 0.75]]" : "[[1, 0.25], [4, 0.75]]", bed, friction)),
       1);
   while (!run.finished()) run.advance();
   const auto& soil = run.state().soil;
@@ -214,18 +214,27 @@ duration = "0.3 s"
   return moved / static_cast<double>(soil.size());
 }
 
-// a = g (sin β − tan δ cos β), wherever the bed lies between the lines of the grid
-TEST(LevelBed, RubsAsCoulombSays) {
+// a = g (sin β − tan δ cos β)
+double slides_by(double friction) {
   const double degree = std::acos(-1.0) / 180;
+  return 0.045 * 9.81 * (std::sin(16 * degree) - std::tan(friction * degree) * std::cos(16 * degree));
+}
+
+// wherever the bed lies between the lines of the grid
+TEST(LevelBed, RubsAsCoulombSays) {
   for (const double top : {0.25, 0.2, 0.3}) {
-    for (const double friction : {0, 10}) {
-      const double exact = 0.045 * 9.81 * (std::sin(16 * degree) - std::tan(friction * degree) * std::cos(16 * degree));
-      EXPECT_NEAR(slide_on_level_bed(top, friction), exact, 0.01 * exact) << top << ", " << friction;
-    }
-    EXPECT_LT(std::abs(slide_on_level_bed(top, 20)), 1e-4) << top;
+    const std::string bed = fmt::format("box = [[0, 0], [5, {}]]", top);
+    for (const double friction : {0, 10})
+      EXPECT_NEAR(slide_on_level_bed(bed, friction), slides_by(friction), 0.01 * slides_by(friction)) << bed;
+    EXPECT_LT(std::abs(slide_on_level_bed(bed, 20)), 1e-4) << bed;
   }
-  const double exact = 0.045 * 9.81 * (std::sin(16 * degree) - std::tan(10 * degree) * std::cos(16 * degree));
-  EXPECT_NEAR(slide_on_level_bed<Solid>(0.2, 10), exact, 0.01 * exact);
+  EXPECT_NEAR(slide_on_level_bed<Solid>("box = [[0, 0], [5, 0.2]]", 10), slides_by(10), 0.01 * slides_by(10));
+}
+
+TEST(LevelBed, RubsAsAThinWall) {
+  const std::string bed = "line = [[0, 0.25], [5, 0.25]]";
+  EXPECT_NEAR(slide_on_level_bed(bed, 10), slides_by(10), 0.05 * slides_by(10));
+  EXPECT_LT(std::abs(slide_on_level_bed(bed, 20)), 1e-4);
 }
 
 }  // namespace

@@ -11,10 +11,10 @@ namespace polder {
 
 namespace {
 
-/// Σ V and Σ V σ' on each axis of the soil points of a cell.
+/// Σ V, Σ V σ' on each axis and Σ of the grains' weight (in water less by buoyancy) of the soil points of a cell.
 template <class Space>
 struct Pressed {
-  double volume = 0;
+  double volume = 0, weight = 0;
   std::array<double, Space::axes> stress{};
 };
 
@@ -36,13 +36,18 @@ void rub_along_walls(const Setup<Space>& setup, double dt, const SoilPoints<Spac
     if (found == beside.end()) continue;
     const double volume = bulk_volume(setup, soil, p);
     found->second.volume += volume;
+    const double lifted = grid.wet[cell] ? setup.water.density / setup.materials[soil.material[p]].grain_density : 0;
+    found->second.weight -= soil.mass[p] * (1 - lifted) * setup.pull(Space::up);
     for (int a = 0; a < Space::axes; ++a) found->second.stress[a] += volume * soil.stress[a][p];
   }
   for (const FrictionFace& f : setup.friction)
     for (const std::ptrdiff_t cell : {f.face - lattice.stride[f.axis], f.face}) {
       const Pressed<Space>& pressed = beside.at(cell);
       if (pressed.volume <= 0) continue;
-      const double normal = std::max(0.0, -pressed.stress[f.axis] / pressed.volume);
+      double normal = -pressed.stress[f.axis] / pressed.volume;
+      if (f.axis == Space::up)  // from the middle of the cell to the wall
+        normal += (cell == f.face ? 0.5 : -0.5) * pressed.weight / lattice.face_area(f.axis, f.face);
+      normal = std::max(0.0, normal);
       const double impulse =
           0.5 * dt * f.coefficient * normal * lattice.face_area(f.axis, f.face);  // on each of two faces
       for (int t = 0; t < Space::axes; ++t) {
