@@ -7,6 +7,7 @@
 
 #include "case_text.hpp"
 #include "polder/stage/simulation.hpp"
+#include "sliding_block.hpp"
 
 namespace polder {
 namespace {
@@ -107,37 +108,20 @@ TEST(SlopingBed, KeepsWaterAtRestWhereTheSurfaceMeetsIt) {
 
 /// A dry elastic block on a bed of 30°: how far it has moved along it after half a second, m, and its speed then, m/s.
 std::array<double, 2> slide(const std::string& friction) {
-  const Model model = read_text(R"(
-[model]
-size = ["4 m", "3 m"]
-cell = "0.05 m"
-[[material]]
-name = "block"
-law = "linear-elastic"
-young_modulus = "5 MPa"
-poisson_ratio = 0.2
+  const SlidingBlock block{R"(size = ["4 m", "3 m"]
+cell = "0.05 m")",
+                           R"(young_modulus = "5 MPa"
 grain_density = "2650 kg/m3"
-porosity = 0.4
-grain_diameter = "1 mm"
-[[soil]]
+grain_diameter = "1 mm")",
+                           R"([[soil]]
 material = "block"
 polygon = [[1, 1.73205], [2, 1.154701], [2.2, 1.501111], [1.2, 2.07846]]
 [[wall]]
 polygon = [[0, 0], [4, 0], [0, 2.309401]]
 friction_angle = ")" + friction +
-                                R"("
-[initial]
-stress = "gravity"
-[[stage]]
-name = "rest"
-duration = "0.5 s"
-initial = true
-ramp = "0.2 s"
-damping = "50 1/s"
-[[stage]]
-name = "slide"
-duration = "0.5 s"
-)");
+                               "\"\n",
+                           0.5};
+  const Model model = read_text(block.text());
   Simulation<PlaneStrain> run(model, 1);
   while (!run.finished()) run.advance();
   const auto& soil = run.state().soil;
@@ -171,42 +155,14 @@ TEST(SlopingBed, LetsABlockSlideAgainstFriction) {
 template <class Space = PlaneStrain>
 double slide_on_level_bed(const std::string& bed, double friction) {
   const bool solid = Space::axes == 3;
-  Simulation<Space> run(
-      read_text(fmt::format(R"(
-[model]
-space = "{}"
-size = {}
-cell = "0.125 m"
-tilt = "16 deg"
-[[material]]
-name = "block"
-law = "linear-elastic"
-young_modulus = "20 MPa"
-poisson_ratio = 0.2
-grain_density = "2600 kg/m3"
-porosity = 0.4
-permeability = "1e-3 m/s"
-[initial]
-stress = "gravity"
-[[soil]]
-material = "block"
-box = {}
-[[wall]]
-{}
-friction_angle = "{} deg"
-[[stage]]
-name = "rest"
-duration = "0.5 s"
-initial = true
-ramp = "0.2 s"
-damping = "50 1/s"
-[[stage]]
-name = "slide"
-duration = "0.3 s"
-)",
-                            solid ? "3d" : "plane-strain", solid ? "[5, 0.5, 1.25]" : "[5, 1.25]",
-                            solid ? "[[1, 0, 0.25], [4, 0.5, 0.75]]" : "[[1, 0.25], [4, 0.75]]", bed, friction)),
-      1);
+  const SlidingBlock block{
+      fmt::format("space = \"{}\"\nsize = {}\ncell = \"0.125 m\"\ntilt = \"16 deg\"", solid ? "3d" : "plane-strain",
+                  solid ? "[5, 0.5, 1.25]" : "[5, 1.25]"),
+      "young_modulus = \"20 MPa\"\ngrain_density = \"2600 kg/m3\"\npermeability = \"1e-3 m/s\"",
+      fmt::format("[[soil]]\nmaterial = \"block\"\nbox = {}\n[[wall]]\n{}\nfriction_angle = \"{} deg\"\n",
+                  solid ? "[[1, 0, 0.25], [4, 0.5, 0.75]]" : "[[1, 0.25], [4, 0.75]]", bed, friction),
+      0.3};
+  Simulation<Space> run(read_text(block.text()), 1);
   while (!run.finished()) run.advance();
   const auto& soil = run.state().soil;
   double moved = 0;

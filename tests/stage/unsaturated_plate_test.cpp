@@ -12,6 +12,7 @@
 #include "polder/stage/simulation.hpp"
 #include "pushed_footing.hpp"
 #include "silt.hpp"
+#include "sliding_block.hpp"
 
 namespace polder {
 namespace {
@@ -203,29 +204,20 @@ TEST(UnsaturatedFooting, IsCarriedByItsBearingCapacity) {
 // Only what the grains press rubs: a = g (sin β − γ'/γ cos β tan φ) of a block whose water stays in it.
 TEST(UnsaturatedBody, LetsASaturatedBlockSlideByItsEffectiveWeight) {
   constexpr double tilt = 16, friction = 20, degree = 3.14159265358979 / 180;
-  Simulation<PlaneStrain> run(read_text(fmt::format(R"(
-[model]
-formulation = "unsaturated"
+  const SlidingBlock block{fmt::format(R"(formulation = "unsaturated"
 size = ["5 m", "1.25 m"]
 cell = "0.125 m"
-tilt = "{} deg"
-[[material]]
-name = "block"
-law = "linear-elastic"
-young_modulus = "20 MPa"
-poisson_ratio = 0.2
+tilt = "{} deg")",
+                                       tilt),
+                           R"(young_modulus = "20 MPa"
 grain_density = "2600 kg/m3"
-porosity = 0.4
-permeability = "1e-10 m/s"
-[[retention]]
+permeability = "1e-10 m/s")",
+                           fmt::format(R"([[retention]]
 material = "block"
 model = "van-genuchten"
 g_a = "0.1 1/m"
 g_n = 2
 residual = 0
-[initial]
-water_table = [[0, 0.75], [5, 0.75]]
-stress = "gravity"
 [[soil]]
 material = "block"
 box = [[1, 0.25], [4, 0.75]]
@@ -233,19 +225,12 @@ box = [[1, 0.25], [4, 0.75]]
 name = "bed"
 box = [[0, 0], [5, 0.25]]
 friction_angle = "{} deg"
-[[stage]]
-name = "rest"
-duration = "0.5 s"
-initial = true
-ramp = "0.2 s"
-hold_water = true
-damping = "50 1/s"
-[[stage]]
-name = "slide"
-duration = "0.3 s"
 )",
-                                                    tilt, friction)),
-                              1);
+                                       friction),
+                           0.3,
+                           "water_table = [[0, 0.75], [5, 0.75]]",
+                           "hold_water = true"};
+  Simulation<PlaneStrain> run(read_text(block.text()), 1);
   while (!run.finished()) run.advance();
   const auto& soil = run.state().soil;
   double speed = 0, mass = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "polder/case/geometry.hpp"
 #include "polder/seepage/model_flow.hpp"
 #include "polder/stability/fem_solver.hpp"
 #include "polder/stability/ground_supports.hpp"
@@ -18,20 +19,11 @@ namespace {
 constexpr double most_triangles = 20000;   // finer cells are not followed: stress at rest is smooth
 constexpr double least_confinement = 1e3;  // Pa
 
-double area_of(const std::vector<Point2>& polygon) {
-  double twice = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    twice += a[0] * b[1] - b[0] * a[1];
-  }
-  return std::abs(twice) / 2;
-}
-
 /// As large as a cell, or as the ground allows.
 double mesh_size(const Model& model) {
-  double area = 0;
-  for (const SoilBody& soil : model.soils) area += area_of(soil.region.polygon);
-  const double side = std::sqrt(area / most_triangles * 4 / std::sqrt(3.0));  // of an even-sided triangle
+  double ground = 0;  // m²
+  for (const SoilBody& soil : model.soils) ground += area(soil.region.polygon);
+  const double side = std::sqrt(ground / most_triangles * 4 / std::sqrt(3.0));  // of an even-sided triangle
   return std::max({model.cell[0], model.cell[1], side});
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "polder/step/cell_beside.hpp"
 #include "polder/step/point_cells.hpp"
 #include "polder/step/soil_volume.hpp"
 #include "polder/step/unsaturated_transfer.hpp"
@@ -122,29 +123,28 @@ std::vector<int> ground_conditions(const Setup<Space>& setup, const SoilPoints<S
 namespace {
 
 /// Where the ground rises by more than a cell from one column to the next, along `axis`, it has a side: what of it the
-/// lower column leaves free is a seepage face, or under the water that stands there. way(cell, axis, distance): a
-/// conductance.
+/// lower column leaves free is a seepage face, or under the water that stands there. `tops`: of the columns;
+/// way(cell, axis, distance): a conductance.
 template <class Space, class Way>
 void step_exits(const Setup<Space>& setup, const std::vector<int>& ground, double dt, int axis,
-                const PoreFields<Space>& pores, const GroundCover* cover, Way&& way, std::vector<PoreExit>& exits) {
+                const std::vector<Surface>& tops, const PoreFields<Space>& pores, const GroundCover* cover, Way&& way,
+                std::vector<PoreExit>& exits) {
   constexpr double unbounded = -std::numeric_limits<double>::infinity();
   const auto& lattice = setup.lattice;
   const GridAxis& upwards = lattice.axis[Space::up];
-  const Array heights = ground_heights(setup, pores.bulk);
   const auto to_next = static_cast<std::ptrdiff_t>(axis == 0 ? 1 : lattice.cells[0]);  // column
   over_columns(lattice, [&](std::size_t column, double, std::ptrdiff_t lowest) {
-    if (heights[column] < 0) return;
     if (ground[column] >= 0 && setup.pore_water[ground[column]].kind != SeepageCondition::Kind::seepage) return;
-    const int place = lattice.place(lowest, axis), top = surface_of(setup, pores.bulk, lowest).level;
+    const int place = lattice.place(lowest, axis);
+    const double half = 0.5 * lattice.axis[axis].width(place);
     for (const int way_to : {-1, 1}) {
-      int other = place + way_to;
-      const bool beyond = other < 0 || other >= lattice.cells[axis];
-      if (beyond && !setup.soil_box.periodic(axis)) continue;
-      if (beyond) other = other < 0 ? lattice.cells[axis] - 1 : 0;
-      const auto lower = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(column) + (other - place) * to_next);
-      const double half = 0.5 * lattice.axis[axis].width(place);
-      const double foot = std::max(heights[lower], 0.0);
-      for (int level = top - 1; level >= 0 && upwards.edge(level) >= foot - 1e-6 * upwards.width(level); --level) {
+      const std::ptrdiff_t beside = cell_beside(lattice, setup.soil_box, lowest, axis, way_to);
+      if (beside < 0) continue;
+      const auto lower = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(column) +
+                                                  (lattice.place(beside, axis) - place) * to_next);
+      const double foot = tops[lower].level < 0 ? 0 : tops[lower].height;
+      for (int level = tops[column].level - 1; level >= 0 && upwards.edge(level) >= foot - 1e-6 * upwards.width(level);
+           --level) {
         const std::ptrdiff_t cell = lowest + level * lattice.stride[Space::up];
         const std::ptrdiff_t face = way_to < 0 ? cell : cell + lattice.stride[axis];
         const double open = setup.shut(axis, face) ? 0 : setup.bodies.open_face(axis, face);
@@ -188,8 +188,9 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
     return pores.relative[cell] * lattice.face_area(axis, cell) /
            (pores.resistance[axis == Space::up][cell] * distance);
   };
+  std::vector<Surface> tops(ground.size());
   over_columns(lattice, [&](std::size_t column, double x, std::ptrdiff_t lowest) {
-    const Surface top = surface_of(setup, pores.bulk, lowest);
+    const Surface top = tops[column] = surface_of(setup, pores.bulk, lowest);
     if (top.level < 0) return;
     const std::ptrdiff_t upper = lowest + top.level * lattice.stride[Space::up];
     const double above = over_centre(upwards, top.height, top.level);  // of the ground
@@ -225,7 +226,7 @@ std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<in
                        given_head ? weight * (head - 0.5 * h) : -weight * 0.5 * h, given_head ? unbounded : 0});
     }
   });
-  for (int axis = 0; axis < Space::up; ++axis) step_exits(setup, ground, dt, axis, pores, cover, way, exits);
+  for (int axis = 0; axis < Space::up; ++axis) step_exits(setup, ground, dt, axis, tops, pores, cover, way, exits);
   if (cover) share_available(exits, cover->pressure.size());
   // the two ends of the model
   for (const SeepageCondition& condition : setup.pore_water) {

@@ -50,10 +50,9 @@ double ground_at(const Lattice<Space>& lattice, const Array& ground, double x) {
   const int last = lattice.cells[0] - 1, own = std::clamp(static_cast<int>(axis.place(x)), 0, last);
   const int other = std::clamp(x < axis.centre(own) ? own - 1 : own + 1, 0, last);
   const double own_height = std::max(ground[own], 0.0), rise = std::max(ground[other], 0.0) - own_height;
-  const double level_share = uprightness(lattice, rise) * 0.5 * axis.width(own);  // m beside the middle
-  const double way = std::abs(x - axis.centre(own)) - level_share;
-  const double all = std::abs(axis.centre(other) - axis.centre(own)) -
-                     uprightness(lattice, rise) * 0.5 * (axis.width(own) + axis.width(other));
+  const double level = uprightness(lattice, rise) * 0.5;  // of the columns' widths, beside their middles
+  const double way = std::abs(x - axis.centre(own)) - level * axis.width(own);
+  const double all = std::abs(axis.centre(other) - axis.centre(own)) - level * (axis.width(own) + axis.width(other));
   return other == own || way <= 0 || all <= 0 ? own_height : own_height + std::min(1.0, way / all) * rise;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polder/step/cell_beside.hpp"
 #include "polder/step/face_loop.hpp"
 
 namespace polder {
@@ -73,12 +74,6 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, std::vecto
     return end == 0 ? place > lowest[a] : place < highest[a];
   };
 
-  const auto neighbour = [&](int a, std::ptrdiff_t cell, int end) {  // of a cell inside, round the ends of the model
-    const std::ptrdiff_t s = lattice.stride[a], n = lattice.cells[a];
-    const int place = lattice.place(cell, a);
-    if (setup.soil_box.periodic(a) && place == (end == 0 ? 0 : n - 1)) return cell + (end == 0 ? n - 1 : 1 - n) * s;
-    return cell + (end == 0 ? -s : s);
-  };
   const auto add = [&](double factor) {  // so much of the increment, and what the soil makes of it
     over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const auto&) {
       for (std::ptrdiff_t cell = first; cell < first + count; ++cell) grid.pressure[cell] += factor * increment[cell];
@@ -145,7 +140,7 @@ SolveResult solve_pore_pressure(const Setup<Space>& setup, double dt, std::vecto
       for (int a = 0; a < Space::axes; ++a)
         for (const int end : {0, 1}) {
           const std::ptrdiff_t f = cell + end * lattice.stride[a];
-          const std::ptrdiff_t other = neighbour(a, cell, end);
+          const std::ptrdiff_t other = cell_beside(lattice, setup.soil_box, cell, a, end == 0 ? -1 : 1);
           const double own = coupled[cell] * pores.weight[a][cell] / lattice.spacing[a];
           const double shared = other == host ? coupled[host] * pores.weight[a][host] / lattice.spacing[a] : 0;
           const double strains = own * true_area(lattice, a, lattice.places(cell));

@@ -6,6 +6,7 @@
 
 #include "polder/math/random.hpp"
 #include "polder/points/tiles.hpp"
+#include "polder/step/cell_beside.hpp"
 #include "polder/step/face_loop.hpp"
 #include "polder/step/soil_volume.hpp"
 
@@ -32,11 +33,8 @@ class Saturated {
   /// The cell beside this one on an axis (`way` −1 or 1), or −1 where nothing passes.
   std::ptrdiff_t beside(std::ptrdiff_t cell, int axis, int way) const {
     const auto& lattice = setup_.lattice;
-    const int place = lattice.place(cell, axis), last = lattice.cells[axis] - 1;
     if (setup_.shut(axis, way > 0 ? cell + lattice.stride[axis] : cell)) return -1;
-    if (place == (way > 0 ? last : 0))
-      return setup_.water_box.periodic(axis) ? cell - way * last * lattice.stride[axis] : -1;
-    return cell + way * lattice.stride[axis];
+    return cell_beside(lattice, setup_.water_box, cell, axis, way);
   }
 
   /// Share of the water in a cell's pores that soil carries.

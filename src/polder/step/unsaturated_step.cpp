@@ -6,6 +6,7 @@
 
 #include "polder/case/geometry.hpp"
 #include "polder/step/body_contact.hpp"
+#include "polder/step/cell_beside.hpp"
 #include "polder/step/chunk.hpp"
 #include "polder/step/face_loop.hpp"
 #include "polder/step/face_predictor.hpp"
@@ -112,12 +113,19 @@ double UnsaturatedStep<Space>::natural_step(const Setup<Space>& setup) const {
   return natural * std::sqrt(setup.numerics.mass_scaling) * calm.stretch;
 }
 
+namespace {
+
+/// Share of the pore pressures that acts: those that are held rise with gravity.
+double raised_so_far(const StepControl& control) { return control.hold_water ? control.gravity_factor : 1; }
+
+}  // namespace
+
 /// Velocities with the pressures of the last step; the out-of-balance force over the weight.
 template <class Space>
 double UnsaturatedStep<Space>::predict(const Setup<Space>& setup, const StepControl& control, double dt,
                                        bool standing_water, GridFields<Space>& grid, Team& team) {
   const double weight = setup.water.density * setup.gravity;
-  const double raised = control.hold_water ? control.gravity_factor : 1;  // pressures that are held rise with gravity
+  const double raised = raised_so_far(control);
   const bool far_field = control.event && setup.any_absorbs();
   const auto& lattice = setup.lattice;
   std::vector<double> row_sum(static_cast<std::size_t>(lattice.size), 0.0);
@@ -176,10 +184,7 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
     join_ends(pores.surplus, setup.soil_box, lattice);
     join_ends(pores.deviation, setup.soil_box, lattice);
   };
-  const auto below = [&](std::ptrdiff_t cell, int a) {  // the cell there, or −1
-    if (lattice.place(cell, a) > 0) return cell - lattice.stride[a];
-    return setup.soil_box.periodic(a) ? cell + (lattice.cells[a] - 1) * lattice.stride[a] : -1;
-  };
+  const auto below = [&](std::ptrdiff_t cell, int a) { return cell_beside(lattice, setup.soil_box, cell, a, -1); };
   fill_pores(setup, grid, pores, team);
   if (held) {  // pressures are given: the ground takes or gives what they ask for
     double change = 0;
@@ -199,7 +204,7 @@ void UnsaturatedStep<Space>::settle_books(const Setup<Space>& setup, double dt, 
     for (int a = 0; a < Space::axes; ++a) {
       if (place[a] == 0 && !setup.soil_box.periodic(a)) continue;
       left[cell] += dt * pores.flow[a][cell];
-      left[place[a] > 0 ? cell - lattice.stride[a] : below(cell, a)] -= dt * pores.flow[a][cell];
+      left[below(cell, a)] -= dt * pores.flow[a][cell];
     }
   });
   for (const PoreExit& exit : exits) {
@@ -320,7 +325,7 @@ void UnsaturatedStep<Space>::show_water(const Setup<Space>& setup, GridFields<Sp
 template <class Space>
 double UnsaturatedStep<Space>::water_on_body(const Setup<Space>& setup, const StepControl& control,
                                              const GridFields<Space>& grid, int axis, std::ptrdiff_t face) const {
-  const double raised = control.hold_water ? control.gravity_factor : 1;
+  const double raised = raised_so_far(control);
   const double force = raised * pressure_force(setup.lattice, pores, grid.pressure, axis, face);
   const std::ptrdiff_t low = face - setup.lattice.stride[axis];
   const double below = pores.weight[axis][low], above = pores.weight[axis][face];
