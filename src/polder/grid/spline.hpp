@@ -53,8 +53,10 @@ inline SplineRow face_row(double delta, int upper) {
   return detail::spline_row(delta, piece.value, piece.slope, piece.curvature, piece.node);
 }
 
-/// The same three numbers without the padding, for axes other than x.
-inline void spline_weights(double delta, double weight[3], double offset[3], double derivative[3]) {
+/// The same three numbers without the padding, for axes other than x; of one point or, with vectors, of several.
+template <class Number>
+[[gnu::always_inline]] inline void spline_weights(Number delta, Number weight[3], Number offset[3],
+                                                  Number derivative[3]) {
   weight[0] = 0.125 + delta * (-0.5 + 0.5 * delta);
   weight[1] = 0.75 - delta * delta;
   weight[2] = 0.125 + delta * (0.5 + 0.5 * delta);

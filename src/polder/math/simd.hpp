@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 
 /// Before a loop: its iterations do not depend on each other.
 #ifdef __clang__
@@ -11,6 +12,9 @@
 #else
 #define POLDER_INDEPENDENT _Pragma("GCC ivdep")
 #endif
+
+/// Of a lambda in a hot loop: part of the loop, however large that becomes.
+#define POLDER_INLINED __attribute__((always_inline))
 
 namespace polder {
 
@@ -23,6 +27,13 @@ inline Vec4 load4(const double* from) {
 }
 inline void store4(double* to, Vec4 v) { std::memcpy(to, &v, sizeof v); }
 inline Vec4 splat4(double a) { return Vec4{a, a, a, a}; }
+
+/// body.operator()<i>() for i = 0 … n − 1, each written out by the compiler.
+template <int n, class Body>
+[[gnu::always_inline]] inline void unrolled(Body&& body) {
+  [&]<int... i>(std::integer_sequence<int, i...>) POLDER_INLINED { (body.template operator()<i>(), ...); }
+  (std::make_integer_sequence<int, n>());
+}
 
 /// As std::min and std::max, pair by pair.
 inline Vec4 min4(Vec4 a, Vec4 b) { return b < a ? b : a; }
@@ -88,6 +99,31 @@ inline double largest_magnitude(const double* a, std::ptrdiff_t n) {
   double whole = std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
   for (; i < n; ++i) whole = std::max(whole, std::abs(a[i]));
   return whole;
+}
+
+/// Whether all n values are in [low, high]; what is not a number is not. Without a branch, so that it costs what
+/// reading costs.
+inline bool all_within(const double* a, std::ptrdiff_t n, double low, double high) {
+  const auto good = [&](Vec4 v) { return (v >= splat4(low)) & (v <= splat4(high)); };
+  auto all = good(splat4(low));
+  std::ptrdiff_t i = 0;
+  for (; i + 4 <= n; i += 4) all &= good(load4(a + i));
+  bool within = (all[0] & all[1] & all[2] & all[3]) != 0;
+  for (; i < n; ++i) within = within && a[i] >= low && a[i] <= high;
+  return within;
+}
+
+/// Whether all n values are finite.
+inline bool all_finite(const double* a, std::ptrdiff_t n) {
+  Vec4 even{}, odd{};  // of their products with 0
+  std::ptrdiff_t i = 0;
+  for (; i + 8 <= n; i += 8) {
+    even += 0.0 * load4(a + i);
+    odd += 0.0 * load4(a + i + 4);
+  }
+  double rest = sum_lanes(even + odd);
+  for (; i < n; ++i) rest += 0.0 * a[i];
+  return rest == 0;
 }
 
 /// Σ a_i b_i, in an order that depends on n alone.

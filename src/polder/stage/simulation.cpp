@@ -151,7 +151,7 @@ StepReport Simulation<Space>::advance() {
     if (i == 0)
       audit_.take(stepper_, dt);
     else
-      unsound = unsound_point(stepper_);
+      unsound = unsound_point_after_step(stepper_);
   });
   audit_.pressure_iterations += static_cast<std::uint64_t>(report.pressure.iterations);
   audit_.volume_iterations += static_cast<std::uint64_t>(report.volume.iterations);

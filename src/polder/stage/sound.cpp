@@ -5,18 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polder/math/simd.hpp"
+
 namespace polder {
 
 namespace {
 
 constexpr double largest = 1e300;  // beyond it nothing is finite for long
-
-/// Whether every value is in [low, high]; a NaN is not. Without a branch, so that it costs what reading costs.
-bool all_within(const Array& values, double low, double high) {
-  unsigned bad = 0;
-  for (const double v : values) bad |= static_cast<unsigned>(!(v >= low)) | static_cast<unsigned>(!(v <= high));
-  return bad == 0;
-}
+constexpr double least_content = 1e-300;
 
 bool within(double v, double low, double high) { return v >= low && v <= high; }
 
@@ -31,7 +27,7 @@ std::string place_of(const Points& points, std::size_t p, const char* phase) {
 template <class Space, class Points>
 std::string outside(const Points& points, const char* phase, const Array& values, double low, double high,
                     const char* what) {
-  if (all_within(values, low, high)) return {};
+  if (all_within(values.data(), static_cast<std::ptrdiff_t>(values.size()), low, high)) return {};
   const auto bad = std::find_if(values.begin(), values.end(), [&](double v) { return !within(v, low, high); });
   const auto p = static_cast<std::size_t>(bad - values.begin());
   return fmt::format("{}: {} ({:.4g})", place_of<Space>(points, p, phase), what, *bad);
@@ -53,6 +49,11 @@ std::string unsound_motion(const Lattice<Space>& lattice, const Points& points, 
     if (auto found = outside<Space>(points, phase, v, -largest, largest, "its velocity is not finite"); !found.empty())
       return found;
   return escaped(lattice, points, phase);
+}
+
+template <class Space>
+std::string unsound_volume(const WaterPoints<Space>& water) {
+  return outside<Space>(water, "water", water.volume, least_content, largest, "its volume is not positive");
 }
 
 /// Cells of the points' homes must be in the grid, in ascending order, and near where the points are.
@@ -107,13 +108,18 @@ std::string unsound_point(const Stepper<Space>& state) {
   std::string found = unsound_motion(state.setup.lattice, soil, "soil");
   if (found.empty()) found = unsound_motion(state.setup.lattice, water, "water");
   if (found.empty())
-    found = outside<Space>(soil, "soil", soil.porosity, 1e-6, 1 - 1e-6, "its porosity is not between 0 and 1");
+    found = outside<Space>(soil, "soil", soil.porosity, possible_porosity[0], possible_porosity[1],
+                           "its porosity is not between 0 and 1");
   for (const Array& s : soil.stress)
     if (found.empty()) found = outside<Space>(soil, "soil", s, -largest, largest, "its stress is not finite");
-  if (found.empty()) found = outside<Space>(soil, "soil", soil.mass, 1e-300, largest, "its mass is not positive");
   if (found.empty())
-    found = outside<Space>(water, "water", water.volume, 1e-300, largest, "its volume is not positive");
-  return found;
+    found = outside<Space>(soil, "soil", soil.mass, least_content, largest, "its mass is not positive");
+  return found.empty() ? unsound_volume<Space>(water) : found;
+}
+
+template <class Space>
+std::string unsound_point_after_step(const Stepper<Space>& state) {
+  return state.unsaturated || !state.motion.sound ? unsound_point(state) : unsound_volume<Space>(state.water);
 }
 
 template <class Space>
@@ -135,6 +141,8 @@ template std::string escaped_point(const Stepper<PlaneStrain>&);
 template std::string escaped_point(const Stepper<Solid>&);
 template std::string unsound_point(const Stepper<PlaneStrain>&);
 template std::string unsound_point(const Stepper<Solid>&);
+template std::string unsound_point_after_step(const Stepper<PlaneStrain>&);
+template std::string unsound_point_after_step(const Stepper<Solid>&);
 template std::string flaw_of(Stepper<PlaneStrain>&, bool);
 template std::string flaw_of(Stepper<Solid>&, bool);
 

@@ -11,6 +11,11 @@ namespace polder {
 template <class Space>
 std::string unsound_point(const Stepper<Space>& state);
 
+/// The same after a step, whose transfers have looked at what they gave the points while they had it at hand: only the
+/// rest is looked through.
+template <class Space>
+std::string unsound_point_after_step(const Stepper<Space>& state);
+
 /// The first point outside the model, likewise. Takes a fraction of the time: positions only.
 template <class Space>
 std::string escaped_point(const Stepper<Space>& state);

@@ -11,12 +11,13 @@
 namespace polder {
 
 inline constexpr int chunk_size = 32;
+inline constexpr int chunk_room = chunk_size + 4;  // so that four values can be read or written from any point on
 
 /// What the transfers need of where the points of a chunk are. Set 0: centres, set 1: faces.
 template <class Space>
 struct alignas(64) ChunkWeights {
   static constexpr int axes = Space::axes;
-  double delta[axes][2][chunk_size];          // from the middle node, spacings
+  double delta[axes][2][chunk_room];          // from the middle node, spacings
   double weight[axes][2][3][chunk_size];      // of axes ≥ 1
   double derivative[axes][2][3][chunk_size];  // per spacing
   int cell_base[chunk_size];                  // index of the stencil's first cell centre
@@ -26,37 +27,40 @@ struct alignas(64) ChunkWeights {
   double inertia[axes][2][chunk_size];        // Σ weight (node − point)², square spacings; likewise
   double node[axes][2][3][chunk_size];        // from the middle one, spacings, where not −1, 0 and 1; likewise
   const SplinePiece* row[2][chunk_size];      // along x; likewise
+  int batches;                                // of points that read at once
+  int batch[chunk_size];                      // their first points: up to four that follow each other in one cell
 
   template <bool with_derivative = true>
   void compute(const Lattice<Space>& lattice, const std::array<const double*, axes>& position, int count) {
-    for (int l = 0; l < count; ++l) cell_base[l] = static_cast<int>(lattice.index(-1, -1, axes == 3 ? -1 : 0));
-    for (int a = 0; a < axes; ++a) {
-      if (lattice.graded) {
-        compute_graded(lattice, a, position[a], count);
-        continue;
-      }
-      const double inverse = 1 / lattice.spacing[a];
-      const int step = static_cast<int>(lattice.stride[a]);
-      const double* x = position[a];
-      for (int l = 0; l < count; ++l) {
-        const double scaled = x[l] * inverse;
-        const int b = static_cast<int>(scaled);
-        const double f = scaled - b;
-        const int upper = f >= 0.5;
-        cell[a][l] = b;
-        cell_base[l] += b * step;
-        face_shift[a][l] = upper * step;
-        delta[a][0][l] = f - 0.5;
-        delta[a][1][l] = f - upper;
-      }
-      if (a == 0) continue;
+    locate(lattice, position, count);
+    if (lattice.graded) return;
+    for (int a = 1; a < axes; ++a)
       for (int set = 0; set < 2; ++set)
         for (int l = 0; l < count; ++l) {
           double w[3], o[3], d[3];
           spline_weights(delta[a][set][l], w, o, d);
           put<with_derivative>(a, set, l, w, d);
         }
+  }
+
+  /// For points that only read: where they are, and their batches; on graded lattices the weights, too.
+  void compute_places(const Lattice<Space>& lattice, const std::array<const double*, axes>& position, int count) {
+    locate(lattice, position, count);
+    find_batches(count);
+  }
+
+  void find_batches(int count) {
+    batches = 0;
+    for (int l = 0, begin = 0; l < count; ++l) {
+      if (l > 0 && cell_base[l] == cell_base[l - 1] && l < begin + 4) continue;
+      batch[batches++] = begin = l;
     }
+  }
+
+  /// Distance of point l on axis a from the node about which component c's moments are taken, spacings: the centre of
+  /// the point's cell, on axis c its low face; on graded lattices the middle node.
+  double from_reference(int c, int a, int l, bool graded) const {
+    return a != c || graded ? delta[a][a == c][l] : delta[a][0][l] + 0.5;
   }
 
   /// What is `middle` at the middle one of point l's three nodes on axis a ≥ 1 and changes by `slope` per spacing, at
@@ -84,6 +88,30 @@ struct alignas(64) ChunkWeights {
   }
 
  private:
+  void locate(const Lattice<Space>& lattice, const std::array<const double*, axes>& position, int count) {
+    for (int l = 0; l < count; ++l) cell_base[l] = static_cast<int>(lattice.index(-1, -1, axes == 3 ? -1 : 0));
+    for (int a = 0; a < axes; ++a) {
+      if (lattice.graded) {
+        compute_graded(lattice, a, position[a], count);
+        continue;
+      }
+      const double inverse = 1 / lattice.spacing[a];
+      const int step = static_cast<int>(lattice.stride[a]);
+      const double* x = position[a];
+      for (int l = 0; l < count; ++l) {
+        const double scaled = x[l] * inverse;
+        const int b = static_cast<int>(scaled);
+        const double f = scaled - b;
+        const int upper = f >= 0.5;
+        cell[a][l] = b;
+        cell_base[l] += b * step;
+        face_shift[a][l] = upper * step;
+        delta[a][0][l] = f - 0.5;
+        delta[a][1][l] = f - upper;
+      }
+    }
+  }
+
   template <bool with_derivative = true>
   void put(int a, int set, int l, const double (&w)[3], const double (&d)[3]) {
     for (int i = 0; i < 3; ++i) {

@@ -81,13 +81,6 @@ inline void move(double* x, const double* displacement, int count, double low, d
   for (int l = 0; l < count; ++l) x[l] = std::min(std::max(low, x[l] + displacement[l]), high);
 }
 
-template <class Space>
-bool beside_bodies(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, int count) {
-  for (int l = 0; setup.bodies.any() && l < count; ++l)
-    if (setup.bodies.near(cell_index(setup.lattice, chunk, l))) return true;
-  return false;
-}
-
 /// Where a phase's points may be, by axis and side, m. They may pass a side that is open, to be taken out there, or the
 /// ends of a periodic model.
 template <class Space>
@@ -108,7 +101,7 @@ struct Room {
 /// and, if `bodied`, out of bodies.
 template <class Space, class Points>
 void move_chunk(const Setup<Space>& setup, const Room<Space>& room, double dt, bool walled, bool bodied,
-                std::size_t first, int count, const double (&displacement)[Space::axes][chunk_size], Points& points) {
+                std::size_t first, int count, const double (&displacement)[Space::axes][chunk_room], Points& points) {
   const auto& lattice = setup.lattice;
   const PhaseBox& box = room.box;
   double before[Space::axes][chunk_size];
@@ -138,16 +131,17 @@ void move_chunk(const Setup<Space>& setup, const Room<Space>& room, double dt, b
   }
 }
 
-/// The sums of a component at a chunk's points, and the values of others there.
+/// The sums of a component at a chunk's points, its gradient if asked for, and the values of others there.
 template <int c, bool with_gradient, std::size_t others = 0, class Space>
 void gather(const Setup<Space>& setup, const ChunkWeights<Space>& chunk, bool walled, int count, const Array& field,
-            Gathered<Space>& out, const std::array<const double*, others>& other = {},
+            Gathered<Space>& out, double (*gradient)[chunk_room], const std::array<const double*, others>& other = {},
             const std::array<double*, others>& other_value = {}) {
   if (!walled)
     return by_spacing(setup.lattice, [&]<bool graded>() {
-      gather_component<c, with_gradient, graded>(setup.lattice, chunk, count, field.data(), out, other, other_value);
+      gather_component<c, with_gradient, graded>(setup.lattice, chunk, count, field.data(), out, gradient, other,
+                                                 other_value);
     });
-  gather_beside_walls<c, with_gradient>(setup.walls, setup.lattice, chunk, count, field.data(), out);
+  gather_beside_walls<c, with_gradient>(setup.walls, setup.lattice, chunk, count, field.data(), out, gradient);
   for (std::size_t f = 0; f < others; ++f)
     gather_value_beside_walls<c>(setup.walls, setup.lattice, chunk, count, other[f], other_value[f]);
 }
@@ -269,6 +263,12 @@ int whole_groups(const SoilPoints<Space>& soil, std::size_t first, std::size_t e
   return static_cast<int>(last == first ? room : last - first);
 }
 
+template <std::size_t n>
+bool all_finite(const std::array<Array, n>& values, const TileRange& tile) {
+  return std::all_of(values.begin(), values.end(),
+                     [&](const Array& array) { return polder::all_finite(array.data() + tile.first, tile.count); });
+}
+
 }  // namespace
 
 template <class Space>
@@ -281,7 +281,7 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
     Motion motion;
     ChunkWeights<Space> chunk;
     Gathered<Space> gathered;
-    double displacement[Space::axes][chunk_size], porosity[chunk_size], discharge[chunk_size], carried[chunk_size];
+    double displacement[Space::axes][chunk_room], porosity[chunk_size], discharge[chunk_room], carried[chunk_room];
     bool wet[chunk_size];
     for (std::uint32_t done = 0; done < tile.count; done += chunk_size) {
       const std::size_t first = tile.first + done;
@@ -289,21 +289,21 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
       const Upcoming<Space> upcoming(lattice, water.home, first, count);
       upcoming.ask_for_points(water.position, water.velocity, water.affine);
       upcoming.template ask_for_grid<1>(lattice, grid.water_velocity, grid.shift, grid.discharge, grid.soil_velocity);
-      chunk.template compute<false>(lattice, pointers_at<Space>(water.position, first), count);
+      chunk.compute_places(lattice, pointers_at<Space>(water.position, first), count);
       const bool walled = beside_walls(setup.walls, lattice, chunk, count);
-      const bool bodied = beside_bodies(setup, chunk, count);
+      const bool bodied = beside_bodies(setup.bodies, lattice, chunk, count);
       for (int l = 0; l < count; ++l) porosity[l] = grid.cell_porosity[cell_index(lattice, chunk, l)];
       const bool in_soil = std::any_of(porosity, porosity + count, [](double n) { return n < 1; });
       over_components<Space>([&]<int c>() {
         const double *shift = grid.shift[c].data(), *velocity = gathered.value;
         if (in_soil) {
-          gather<c, false, 3>(setup, chunk, walled, count, grid.water_velocity[c], gathered,
+          gather<c, false, 3>(setup, chunk, walled, count, grid.water_velocity[c], gathered, nullptr,
                               {shift, grid.discharge[c].data(), grid.soil_velocity[c].data()},
                               {displacement[c], discharge, carried});
           for (int l = 0; l < count; ++l) carried[l] += discharge[l] / porosity[l];
           velocity = carried;
         } else {
-          gather<c, false, 1>(setup, chunk, walled, count, grid.water_velocity[c], gathered, {shift},
+          gather<c, false, 1>(setup, chunk, walled, count, grid.water_velocity[c], gathered, nullptr, {shift},
                               {displacement[c]});
         }
         take_motion<c>(lattice, chunk, gathered, first, count, water);
@@ -316,6 +316,7 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
       if (stretched) stretch_boxes(dt, porosity, wet, first, count, water);
       move_chunk(setup, room, dt, walled, bodied, first, count, displacement, water);
     }
+    motion.sound = all_finite(water.velocity, tile);
     return motion;
   });
 }
@@ -331,7 +332,7 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
     ChunkWeights<Space> chunk;
     Gathered<Space> gathered;
     VelocityGradients<Space> gradients;
-    double displacement[Space::axes][chunk_size], dilation[chunk_size], plastic_shear[chunk_size];
+    double displacement[Space::axes][chunk_room], dilation[chunk_size], plastic_shear[chunk_size];
     std::ptrdiff_t cell[chunk_size];
     for (std::size_t first = tile.first, end = first + tile.count; first < end;) {
       const int count = whole_groups(soil, first, end);
@@ -340,20 +341,16 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
       upcoming.ask_for_points(soil.position, soil.velocity, soil.affine, soil.stress, soil.mass, soil.porosity,
                               soil.deviatoric_strain, soil.state);
       upcoming.template ask_for_grid<1>(lattice, grid.soil_velocity);
-      chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
+      chunk.compute_places(lattice, pointers_at<Space>(soil.position, first), count);
       for (int l = 0; l < count; ++l) cell[l] = cell_index(lattice, chunk, l);
       const bool walled = beside_walls(setup.walls, lattice, chunk, count);
-      const bool bodied = beside_bodies(setup, chunk, count);
+      const bool bodied = beside_bodies(setup.bodies, lattice, chunk, count);
       over_components<Space>([&]<int c>() {
-        gather<c, true>(setup, chunk, walled, count, grid.soil_velocity[c], gathered);
+        gather<c, true>(setup, chunk, walled, count, grid.soil_velocity[c], gathered, gradients.at[c]);
         take_motion<c>(lattice, chunk, gathered, first, count, soil);
         if (setup.numerics.transfer == Transfer::xpic) {
           gather<c>(setup, chunk, walled, count, grid.unresolved[c], displacement[c]);
           for (int l = 0; l < count; ++l) soil.velocity[c][first + l] += displacement[c][l];
-        }
-        for (int a = 0; a < Space::axes; ++a) {
-          const double inverse = 1 / lattice.spacing[a];
-          for (int l = 0; l < count; ++l) gradients.at[c][a][l] = gathered.gradient[a][l] * inverse;
         }
         for (int l = 0; l < count; ++l) displacement[c][l] = dt * gathered.value[l];
         motion.speed = std::max(motion.speed, most_cells<c>(lattice, chunk, count, gathered.value));
@@ -367,6 +364,9 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
       relax_porosities(setup, grid, cell, first, count, soil);
       first = next;
     }
+    motion.sound =
+        all_finite(soil.velocity, tile) && all_finite(soil.stress, tile) &&
+        all_within(soil.porosity.data() + tile.first, tile.count, possible_porosity[0], possible_porosity[1]);
     return motion;
   });
 }

@@ -7,13 +7,17 @@
 
 namespace polder {
 
+inline constexpr double possible_porosity[2] = {1e-6, 1 - 1e-6};  ///< of a soil point, at least and at most
+
 /// Largest values met, for the choice of the next step and of the next sort.
 struct Motion {
-  double speed = 0;  ///< max |v_a|/h_a, 1/s
-  double drift = 0;  ///< max |Δx_a|/h_a of this step
+  double speed = 0;   ///< max |v_a|/h_a, 1/s
+  double drift = 0;   ///< max |Δx_a|/h_a of this step
+  bool sound = true;  ///< velocities, stresses and porosities that the points have got are possible ones
   void take(const Motion& other) {
     speed = speed > other.speed ? speed : other.speed;
     drift = drift > other.drift ? drift : other.drift;
+    sound = sound && other.sound;
   }
 };
 

@@ -119,7 +119,7 @@ void over_boxes(const Setup<Space>& setup, const std::array<Array, Space::axes>&
                 std::size_t first, int count, const ChunkWeights<Space>& chunk, bool walled,
                 const HalfEdges<Space>& half_edges, Content content, Add add) {
   const auto& lattice = setup.lattice;
-  if (!walled && !setup.bodies.any()) {
+  if (!walled && !beside_bodies(setup.bodies, lattice, chunk, count)) {
     ChunkOverlap<Space> overlap;
     overlap.compute(lattice, pointers_at<Space>(position, first), half_edges.along, count, box.low, box.high);
     for (int l = 0; l < count; ++l) overlap.over_cells(lattice, l, content(l), add);
@@ -172,7 +172,7 @@ void carried_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
     HalfEdges<Space> half_edges{half, {}};
     half_edges.along.fill(half);
     const auto share_out = [&](const double* what, Array& field) {
-      if (!walled && !setup.bodies.any()) {
+      if (!walled && !beside_bodies(setup.bodies, lattice, chunk, count)) {
         for (int l = 0; l < count; ++l)
           BoxOverlap<Space>(lattice, position_of(soil, first + static_cast<std::size_t>(l)), half[l],
                             setup.soil_box.low, setup.soil_box.high)

@@ -22,15 +22,21 @@ struct Column {
   double missing() const { return target - stored; }
 };
 
+/// In plan.
+template <class Space>
+std::pair<int, int> place_of(const std::array<int, 3>& cell) {
+  return {cell[0], Space::axes == 3 ? cell[1] : 0};
+}
+
+/// Of a reservoir, in the order of their places.
 template <class Space>
 std::vector<Column> columns_of(const Setup<Space>& setup, const Reservoir<Space>& reservoir, double head,
-                               const GridFields<Space>& grid, const WaterPoints<Space>& water) {
+                               const GridFields<Space>& grid) {
   constexpr int up = Space::up;
   const auto& lattice = setup.lattice;
   std::map<std::pair<int, int>, Column> columns;
-  const auto key = [](const std::array<int, 3>& cell) { return std::pair{cell[0], Space::axes == 3 ? cell[1] : 0}; };
   for (const auto& cell : reservoir.cells) {
-    Column& column = columns[key(cell)];
+    Column& column = columns[place_of<Space>(cell)];
     column.cells.push_back(cell);
     const double below = std::clamp(lattice.axis[up].place(head) - cell[up], 0.0, 1.0);
     const std::ptrdiff_t index = lattice.index(cell[0], cell[1], cell[2]);
@@ -38,20 +44,29 @@ std::vector<Column> columns_of(const Setup<Space>& setup, const Reservoir<Space>
     column.stored +=
         grid.water_volume[index];  // by boxes: points that cross the edge side by side count little by little
   }
-  for (std::size_t p = 0; p < water.size(); ++p) {
-    std::array<double, 3> x{0, 0, 0};
-    for (int a = 0; a < Space::axes; ++a) x[a] = water.position[a][p];
-    const auto cell = cell_of(lattice, x);
-    const auto found = columns.find(key(cell));
-    if (found == columns.end()) continue;
-    const auto& cells = found->second.cells;
-    if (std::none_of(cells.begin(), cells.end(), [&](const auto& c) { return c[up] == cell[up]; })) continue;
-    found->second.points.push_back(p);
-  }
   std::vector<Column> list;
   list.reserve(columns.size());
   for (auto& [place, column] : columns) list.push_back(std::move(column));
   return list;
+}
+
+/// The points of water in the columns' cells.
+template <class Space>
+void find_points(const Lattice<Space>& lattice, const WaterPoints<Space>& water, std::vector<Column>& columns) {
+  constexpr int up = Space::up;
+  std::map<std::pair<int, int>, Column*> at;
+  for (Column& column : columns) at[place_of<Space>(column.cells.front())] = &column;
+  const double low = lattice.axis[0].edge(at.begin()->first.first),
+               high = lattice.axis[0].edge(at.rbegin()->first.first + 1);
+  for (std::size_t p = 0; p < water.size(); ++p) {
+    if (water.position[0][p] < low || water.position[0][p] > high) continue;
+    const auto cell = cell_of(lattice, position_of(water, p));
+    const auto found = at.find(place_of<Space>(cell));
+    if (found == at.end()) continue;
+    const auto& cells = found->second->cells;
+    if (std::any_of(cells.begin(), cells.end(), [&](const auto& c) { return c[up] == cell[up]; }))
+      found->second->points.push_back(p);
+  }
 }
 
 /// The cell of the column in which its surface stands, and the height of the surface, m.
@@ -79,7 +94,7 @@ std::vector<Exchange> exchange_with_reservoirs(const Setup<Space>& setup, double
   const auto& lattice = setup.lattice;
   std::vector<std::uint8_t> leaves(water.size(), 0);
   for (const auto& reservoir : setup.reservoirs) {
-    auto columns = columns_of(setup, reservoir, reservoir.head(time), grid, water);
+    auto columns = columns_of(setup, reservoir, reservoir.head(time), grid);
     if (columns.empty()) continue;
     double missing = 0;
     for (const Column& column : columns) missing += column.missing();
@@ -103,11 +118,12 @@ std::vector<Exchange> exchange_with_reservoirs(const Setup<Space>& setup, double
             0.5 * (grid.water_velocity[a][index] + grid.water_velocity[a][index + lattice.stride[a]]);
       }
       leaves.push_back(0);
-      column.points.push_back(p);
       column.stored += size;
       missing -= size;
       exchanged.push_back({index, size});
     }
+    if (-missing < 0.5 * size) continue;  // however small a point is, it stays
+    find_points(lattice, water, columns);
     while (true) {
       Column& column = *std::min_element(columns.begin(), columns.end(),
                                          [](const Column& a, const Column& b) { return a.missing() < b.missing(); });

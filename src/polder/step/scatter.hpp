@@ -58,7 +58,7 @@ struct PlaneOfRows {
     const Vec4 share = weight * mass;
     store4(masses + row, load4(masses + row) + share);
     store4(momenta + row, load4(momenta + row) + share * velocity[j]);
-    if constexpr (with_force) store4(forces + row, load4(forces + row) + weight * force + derivative * force_y);
+    if constexpr (with_force) store4(forces + row, load4(forces + row) + (weight * force + derivative * force_y));
   }
 };
 

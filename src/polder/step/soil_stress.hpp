@@ -9,7 +9,7 @@ namespace polder {
 /// Velocity gradients of a chunk: gradient[c][a] = ∂v_c/∂x_a, 1/s.
 template <class Space>
 struct alignas(64) VelocityGradients {
-  double at[Space::axes][Space::axes][chunk_size];
+  double at[Space::axes][Space::axes][chunk_room];
 };
 
 /// Updates porosity, contact, stress, strains and state of the points [first, first + count). `dilation` is the rate of

@@ -22,9 +22,10 @@ void find_unresolved(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     ChunkWeights<Space> chunk;
     chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
+    chunk.find_batches(count);
     const bool walled = beside_walls(setup.walls, lattice, chunk, count);
     over_components<Space>([&]<int c>() {
-      double lost[chunk_size];  // momentum
+      double lost[chunk_room];  // momentum
       const double* before = grid.soil_before[c].data();
       if (walled)
         gather_value_beside_walls<c>(setup.walls, lattice, chunk, count, before, lost);

@@ -239,32 +239,25 @@ Motion gather_rates(const Setup<Space>& setup, const GridFields<Space>& grid, co
   std::mutex mutex;  // a maximum does not depend on the order
   over_chunks(tiling, team, [&](std::size_t first, int count) {
     ChunkWeights<Space> chunk;
-    chunk.compute(lattice, pointers_at<Space>(soil.position, first), count);
-    use_cell_differences(lattice, chunk, count);
+    chunk.compute_places(lattice, pointers_at<Space>(soil.position, first), count);
     const bool walled = beside_walls(setup.walls, lattice, chunk, count);
     Gathered<Space> gathered;
+    double gradient[Space::axes][chunk_room];
     double speed = 0;
     over_components<Space>([&]<int c>() {
       if (walled)
-        gather_beside_walls<c, true, true>(setup.walls, lattice, chunk, count, grid.soil_velocity[c].data(), gathered);
+        gather_beside_walls<c, true, true>(setup.walls, lattice, chunk, count, grid.soil_velocity[c].data(), gathered,
+                                           gradient);
       else
         by_spacing(lattice, [&]<bool graded>() {
-          gather_component<c, true, graded>(lattice, chunk, count, grid.soil_velocity[c].data(), gathered);
+          gather_component<c, true, graded, true>(lattice, chunk, count, grid.soil_velocity[c].data(), gathered,
+                                                  gradient);
         });
-      for (int l = 0; c == 0 && !walled && l < count; ++l) {
-        const double* base = grid.soil_velocity[c].data() + stencil_base<c>(chunk, l);
-        Vec4 sum{};
-        over_rows<c>(chunk, lattice.stride, l, [&](std::ptrdiff_t at, double wy, double, double wz, auto...) {
-          sum += (wy * wz) * load4(base + at);
-        });
-        gathered.gradient[0][l] = sum_lanes(sum * x_difference(lattice, chunk, l));
-      }
       take_motion<c>(lattice, chunk, gathered, first, count, soil);
       for (int l = 0; l < count; ++l) {
         const std::size_t p = first + static_cast<std::size_t>(l);
         speed = std::max(speed, std::abs(gathered.value[l]) / lattice.spacing[c]);
-        for (int a = 0; a < Space::axes; ++a)
-          pores.gradient[c * Space::axes + a][p] = gathered.gradient[a][l] / lattice.spacing[a];
+        for (int a = 0; a < Space::axes; ++a) pores.gradient[c * Space::axes + a][p] = gradient[a][l];
       }
     });
     if (setup.bodies.any()) strain_beside_bodies(setup, grid, chunk, first, count, pores);
@@ -275,7 +268,7 @@ Motion gather_rates(const Setup<Space>& setup, const GridFields<Space>& grid, co
       pores.dilation[p] = (1 - setup.numerics.fbar) * own;
     }
     const std::lock_guard lock(mutex);
-    motion.take({speed, 0});
+    motion.take({.speed = speed});
   });
   return motion;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The transfers of chunks with points beside a thin wall: node by node, each at the place where the point sees it
 // (grid/thin_walls.hpp). The same sums as in points_to_grid.cpp and gather.hpp, slower, for few points.
+#include "polder/grid/bodies.hpp"
 #include "polder/grid/thin_walls.hpp"
 #include "polder/step/gather.hpp"
 
@@ -12,6 +13,16 @@ bool beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& lattice, 
   if (!walls.any()) return false;
   for (int l = 0; l < count; ++l)
     if (walls.beside(cell_index(lattice, chunk, l)) != nullptr) return true;
+  return false;
+}
+
+/// Whether a body cuts or covers a cell beside one of the points' own.
+template <class Space>
+bool beside_bodies(const Bodies<Space>& bodies, const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk,
+                   int count) {
+  if (!bodies.any()) return false;
+  for (int l = 0; l < count; ++l)
+    if (bodies.near(cell_index(lattice, chunk, l))) return true;
   return false;
 }
 
@@ -107,16 +118,20 @@ void scatter_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& l
 /// As gather_component().
 template <int c, bool with_gradient, bool own_difference = false, class Space>
 void gather_beside_walls(const ThinWalls<Space>& walls, const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk,
-                         int count, const double* field, Gathered<Space>& out) {
+                         int count, const double* field, Gathered<Space>& out,
+                         double (*gradient)[chunk_room] = nullptr) {
   for (int l = 0; l < count; ++l) {
     out.value[l] = 0;
-    for (int a = 0; a < Space::axes; ++a) out.moment[a][l] = out.gradient[a][l] = 0;
+    for (int a = 0; a < Space::axes; ++a) {
+      out.moment[a][l] = 0;
+      if constexpr (with_gradient) gradient[a][l] = 0;
+    }
     over_seen_nodes<c, own_difference>(walls, lattice, chunk, l, [&](const SeenNode<Space>& node) {
       const double v = node.sign * field[node.at];
       out.value[l] += node.value() * v;
       for (int a = 0; a < Space::axes; ++a) {
-        out.moment[a][l] += (node.moment(a) + chunk.delta[a][a == c][l] * node.value()) * v;
-        if constexpr (with_gradient) out.gradient[a][l] += node.slope(a) * v;
+        out.moment[a][l] += (node.moment(a) + chunk.from_reference(c, a, l, lattice.graded) * node.value()) * v;
+        if constexpr (with_gradient) gradient[a][l] += node.slope(a) / lattice.spacing[a] * v;
       }
     });
   }
