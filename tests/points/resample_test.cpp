@@ -57,7 +57,8 @@ TEST(WaterPoints, SplitKeepsVolumeMomentumAndCentre) {
   ResampleRules rules;
   rules.nominal = 0.1 * 0.1 / 4;
   std::uint64_t next = 50;
-  EXPECT_EQ(split_water(lattice, porosity, rules, 10, next, water), 50u);
+  Team team(2);
+  EXPECT_EQ(split_water(lattice, porosity, rules, 10, next, water, team), 50u);
   EXPECT_EQ(water.size(), 100u);
   EXPECT_EQ(next, 100u);
   expect_same(before, totals(water));
@@ -74,9 +75,10 @@ TEST(WaterPoints, LongBoxesInFreeWaterAreCutInTwoAlongTheirLongEdge) {
   ResampleRules rules;
   rules.nominal = water.volume[0];
   std::uint64_t next = 1;
-  EXPECT_EQ(split_water(lattice, porosity, rules, 10, next, water), 0u);
+  Team team(1);
+  EXPECT_EQ(split_water(lattice, porosity, rules, 10, next, water, team), 0u);
   rules.split_edge = 0.95;
-  ASSERT_EQ(split_water(lattice, porosity, rules, 10, next, water), 1u);
+  ASSERT_EQ(split_water(lattice, porosity, rules, 10, next, water, team), 1u);
   for (const std::size_t p : {0u, 1u}) {  // two boxes, half a cell wide, that cover the one of before
     EXPECT_DOUBLE_EQ(water.volume[p], 0.125 * lattice.cell_volume());
     const double edge = std::sqrt(0.125);  // cells
@@ -87,7 +89,7 @@ TEST(WaterPoints, LongBoxesInFreeWaterAreCutInTwoAlongTheirLongEdge) {
   }
   rules.least = 1;
   rules.split_edge = 0.1;
-  EXPECT_EQ(split_water(lattice, porosity, rules, 20, next, water), 0u);
+  EXPECT_EQ(split_water(lattice, porosity, rules, 20, next, water, team), 0u);
 }
 
 TEST(WaterPoints, MergedBoxesTakeTheShapeOfBoth) {

@@ -20,7 +20,8 @@ TEST(WaterPoints, HalvesOfALongBoxStayOnTheirSideOfAThinBodyAtTheEndOfTheModel) 
   rules.nominal = water.volume[0];
   rules.split_edge = 0.95;
   std::uint64_t next = 1;
-  ASSERT_EQ(split_water(lattice, porosity, rules, 10, next, water, {}, bodies), 1u);
+  Team team(1);
+  ASSERT_EQ(split_water(lattice, porosity, rules, 10, next, water, team, {}, bodies), 1u);
   for (const std::size_t p : {0u, 1u}) {
     EXPECT_LT(water.position[0][p], 0.99);
     EXPECT_GT(bodies.contact({water.position[0][p], water.position[1][p]}).distance, 0);

@@ -45,15 +45,31 @@ bool in_free_water(const Lattice<Space>& lattice, const Array& cell_porosity, co
   return cell_porosity[lattice.index(cell[0], cell[1], cell[2])] >= 1;
 }
 
-/// The longest axis of its box if the point is in free water and stretched over `split_edge`, else −1.
+struct Split {
+  std::size_t point;
+  int axis;  // along which its box is too long; −1: its bulk volume is too large
+};
+
+/// Those of points [begin, end) that are to be split.
 template <class Space>
-int overlong_axis(const Lattice<Space>& lattice, const Array& cell_porosity, const ResampleRules& rules,
-                  const WaterPoints<Space>& water, std::size_t p) {
-  if (rules.split_edge <= 0 || water.volume[p] < rules.least * nominal_of(lattice, rules, water, p)) return -1;
-  if (!in_free_water(lattice, cell_porosity, water, p)) return -1;
-  const auto edges = edges_of(lattice, water, p);
-  const auto longest = std::max_element(edges.begin(), edges.begin() + Space::axes);
-  return *longest > rules.split_edge ? static_cast<int>(longest - edges.begin()) : -1;
+std::vector<Split> large_points(const Lattice<Space>& lattice, const Array& cell_porosity, const ResampleRules& rules,
+                                const WaterPoints<Space>& water, std::size_t begin, std::size_t end) {
+  std::vector<Split> large;
+  const auto overlong_axis = [&](std::size_t p) {
+    const auto edges = edges_of(lattice, water, p);
+    const auto longest = std::max_element(edges.begin(), edges.begin() + Space::axes);
+    return *longest > rules.split_edge ? static_cast<int>(longest - edges.begin()) : -1;
+  };
+  for (std::size_t p = begin; p < end; ++p) {
+    const auto cell = cell_of(lattice, position_of(water, p));
+    const double porosity = cell_porosity[lattice.index(cell[0], cell[1], cell[2])];
+    const double nominal =
+        lattice.graded ? rules.nominal * lattice.cell_volume(cell) / lattice.cell_volume() : rules.nominal;
+    const bool stretches = rules.split_edge > 0 && porosity >= 1 && water.volume[p] >= rules.least * nominal;
+    const int axis = stretches ? overlong_axis(p) : -1;
+    if (axis >= 0 || water.volume[p] / porosity >= rules.split_at * nominal) large.push_back({p, axis});
+  }
+  return large;
 }
 
 template <class Space>
@@ -99,21 +115,19 @@ std::array<double, 3> place_of_half(const Lattice<Space>& lattice, const ThinWal
 
 template <class Space>
 std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosity, const ResampleRules& rules,
-                        std::uint64_t step, std::uint64_t& next_id, WaterPoints<Space>& water,
+                        std::uint64_t step, std::uint64_t& next_id, WaterPoints<Space>& water, Team& team,
                         const ThinWalls<Space>& walls, const Bodies<Space>& bodies) {
-  struct Split {
-    std::size_t point;
-    int axis;  // along which its box is too long; −1: its bulk volume is too large
-  };
-  std::vector<Split> stretched;
-  for (std::size_t p = 0; p < water.size(); ++p) {
-    const int axis = overlong_axis(lattice, cell_porosity, rules, water, p);
-    if (axis >= 0 ||
-        bulk_volume(lattice, cell_porosity, water, p) >= rules.split_at * nominal_of(lattice, rules, water, p))
-      stretched.push_back({p, axis});
-  }
-  std::size_t half = append_points(water, stretched.size());
-  for (const auto& [p, axis] : stretched) {
+  constexpr std::size_t block = 2048;  // of points, looked through at once
+  std::vector<std::vector<Split>> by_block((water.size() + block - 1) / block);
+  team.each(static_cast<std::ptrdiff_t>(by_block.size()), [&](std::ptrdiff_t i) {
+    const std::size_t begin = static_cast<std::size_t>(i) * block;
+    by_block[static_cast<std::size_t>(i)] =
+        large_points(lattice, cell_porosity, rules, water, begin, std::min(begin + block, water.size()));
+  });
+  std::vector<Split> large;
+  for (const auto& part : by_block) large.insert(large.end(), part.begin(), part.end());
+  std::size_t half = append_points(water, large.size());
+  for (const auto& [p, axis] : large) {
     std::array<double, 3> shift{0, 0, 0};  // m, of the halves
     if (axis >= 0) {
       shift[axis] = 0.25 * edges_of(lattice, water, p)[axis] *
@@ -137,7 +151,7 @@ std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosit
     for (int a = 0; a < Space::axes; ++a) water.position[a][p] = one[a], water.position[a][half] = other[a];
     ++half;
   }
-  return stretched.size();
+  return large.size();
 }
 
 namespace {
@@ -213,10 +227,11 @@ std::size_t merge_water(const Lattice<Space>& lattice, const Array& cell_porosit
 }
 
 template std::size_t split_water(const Lattice<PlaneStrain>&, const Array&, const ResampleRules&, std::uint64_t,
-                                 std::uint64_t&, WaterPoints<PlaneStrain>&, const ThinWalls<PlaneStrain>&,
+                                 std::uint64_t&, WaterPoints<PlaneStrain>&, Team&, const ThinWalls<PlaneStrain>&,
                                  const Bodies<PlaneStrain>&);
 template std::size_t split_water(const Lattice<Solid>&, const Array&, const ResampleRules&, std::uint64_t,
-                                 std::uint64_t&, WaterPoints<Solid>&, const ThinWalls<Solid>&, const Bodies<Solid>&);
+                                 std::uint64_t&, WaterPoints<Solid>&, Team&, const ThinWalls<Solid>&,
+                                 const Bodies<Solid>&);
 template std::size_t merge_water(const Lattice<PlaneStrain>&, const Array&, const ResampleRules&,
                                  WaterPoints<PlaneStrain>&);
 template std::size_t merge_water(const Lattice<Solid>&, const Array&, const ResampleRules&, WaterPoints<Solid>&);

@@ -3,6 +3,7 @@
 // and merged where small ones crowd (water that leaves soil).
 #include "polder/grid/bodies.hpp"
 #include "polder/grid/thin_walls.hpp"
+#include "polder/math/threads.hpp"
 #include "polder/points/point_sets.hpp"
 
 namespace polder {
@@ -23,7 +24,7 @@ struct ResampleRules {
 /// `bodies`. New points are appended: the set must be sorted again.
 template <class Space>
 std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosity, const ResampleRules& rules,
-                        std::uint64_t step, std::uint64_t& next_id, WaterPoints<Space>& water,
+                        std::uint64_t step, std::uint64_t& next_id, WaterPoints<Space>& water, Team& team,
                         const ThinWalls<Space>& walls = {}, const Bodies<Space>& bodies = {});
 
 /// Merges the closest pairs of small points of a crowded group, conserving volume, momentum and centre of mass. The set

@@ -36,10 +36,6 @@ class Audit {
   double flux_balance_error() const { return worst_flux().error; }
   FluxError worst_flux() const;
 
-  /// The errors that these sums over all points mean.
-  double solid_error_of(double mass) const;
-  double water_error_of(double stored) const;
-
   template <class Archive>
   void each_state(Archive&& archive) {
     archive("audit/solid_at_start", solid_at_start_);
@@ -89,9 +85,6 @@ class Audit {
   std::vector<Section> sections_;
   double solid_at_start_ = 0, water_at_start_ = 0;
 };
-
-/// Σ of an array over the points in ascending order of id: the same in whatever order they lie.
-double sum_by_id(const AlignedVector<std::uint64_t>& id, const Array& value);
 
 /// Water in the model, m³: of the water points, of what soil points carry, and what is between the two.
 template <class Space>

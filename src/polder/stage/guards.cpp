@@ -118,20 +118,13 @@ void Guards<Space>::check_solve(const Stepper<Space>& state, const StepReport& r
       lattice.axis[Space::up].centre(lattice.place(cell, Space::up)), place_of_fastest(state)));
 }
 
-/// The audits sum in ascending order of id to the last digit; here a plain sum will do.
 template <class Space>
 void Guards<Space>::check_balances(const Stepper<Space>& state, const Audit<Space>& audit, double time) const {
   const auto fail = [&](const char* what, double error, double bound) {
     throw RunFailure(fmt::format("{} is off by {:.2e} at t = {:.6g} s (step {}), more than {:.0e}; {}", what, error,
                                  time, state.step, bound, place_of_fastest(state)));
   };
-  double stored = 0, mass = 0;
-  for (const double v : state.water.volume) stored += v;
-  for (const double v : state.soil.water) stored += v;
-  if (state.open_water) stored += state.open_water->booked();
-  for (const double v : state.grid.spare) stored += v;
-  for (const double m : state.soil.mass) mass += m;
-  const double water = audit.water_error_of(stored), solid = audit.solid_error_of(mass);
+  const double water = audit.water_balance_error(state), solid = audit.solid_mass_error(state);
   if (!(water <= GuardLimits::water_balance)) fail("the balance of the water", water, GuardLimits::water_balance);
   if (!(solid <= GuardLimits::solid_mass)) fail("the mass of the grains", solid, GuardLimits::solid_mass);
 }

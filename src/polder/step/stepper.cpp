@@ -147,8 +147,8 @@ void Stepper<Space>::resample() {
   rules.points_per_cell = static_cast<int>(std::lround(std::pow(setup.points_per_axis, Space::axes)));
   if (setup.stretches_water()) rules.split_edge = 1.9 / setup.points_per_axis;
   rules.seed = setup.numerics.seed;
-  const std::size_t split =
-      split_water(setup.lattice, grid.cell_porosity, rules, step, next_water_id, water, setup.walls, setup.bodies);
+  const std::size_t split = split_water(setup.lattice, grid.cell_porosity, rules, step, next_water_id, water, team,
+                                        setup.walls, setup.bodies);
   if (split > 0 || drift_water > largest_drift) {
     sort_water();
     if (merge_water(setup.lattice, grid.cell_porosity, rules, water) > 0) sort_water();
