@@ -22,7 +22,6 @@ struct BenchOptions {
   std::vector<std::string> overrides;
   std::vector<double> points{1e5};
   int steps = 20, threads = 1;
-  bool docs = false;
 };
 
 /// As in a heading: points_to_grid is "points to grid".
@@ -65,26 +64,6 @@ void print(const std::vector<Timing>& timings) {
   fmt::print("\n");
 }
 
-/// The same as tables of docs/performance.md.
-void print_docs(const std::vector<Timing>& timings) {
-  fmt::print(
-      "| space | points, both phases | threads | million points/s | million pairs/s | pressure iterations | ns per "
-      "unknown and iteration |\n|---|---|---|---|---|---|---|\n");
-  for (const Timing& t : timings)
-    fmt::print("| {} | {} | {} | {:.1f} | {:.2f} | {:.1f} | {:.1f} |\n", space_name(t), t.points(), t.threads,
-               1e3 / t.per_point(t.seconds), 1e3 / t.per_point(t.seconds) / 2, t.iterations, per_unknown(t));
-  fmt::print("\nns per point and step, by kernel:\n\n| space | points | threads |");
-  for (const Kernel& kernel : kernels) fmt::print(" {} |", spoken(kernel));
-  fmt::print("\n|---|---|---|");
-  for (std::size_t k = 0; k < std::size(kernels); ++k) fmt::print("---|");
-  fmt::print("\n");
-  for (const Timing& t : timings) {
-    fmt::print("| {} | {} | {} |", space_name(t), t.points(), t.threads);
-    for (const Kernel& kernel : kernels) fmt::print(" {:.1f} |", t.per_point(t.kernels.*kernel.seconds));
-    fmt::print("\n");
-  }
-}
-
 nlohmann::ordered_json json_of(const Timing& t) {
   nlohmann::ordered_json json{{"model", t.name},
                               {"space", t.space == SpaceKind::solid ? "3d" : "plane-strain"},
@@ -124,10 +103,7 @@ int bench(const BenchOptions& options) {
   } catch (const RunFailure& failure) {
     throw Failure(status_failed, failure.what());
   }
-  if (options.docs)
-    print_docs(timings);
-  else
-    print(timings);
+  print(timings);
   if (!options.json.empty()) {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const Timing& t : timings) rows.push_back(json_of(t));
@@ -158,7 +134,6 @@ void add_bench(CLI::App& polder, Action& action) {
   command->add_option("--set", options->overrides, "Override a key of the case: section.key=value")
       ->allow_extra_args(false);
   command->add_option("--json", options->json, "Write the figures to this file as well");
-  command->add_flag("--docs", options->docs, "Print the tables of docs/performance.md");
   command->callback([=, &action] { action = [=] { return bench(*options); }; });
 }
 
