@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures the speed of Polder on this machine and writes docs/performance.md: about ten minutes on an idle machine.
+"""Measures the speed of Polder on this machine and writes docs/performance.md: a quarter of an hour on an idle machine.
 
     benchmarks/performance.py [--reference FOLDER] [--repeats N]
 
@@ -58,7 +58,7 @@ class Measurements:
         self.reference, self.repeats, self.work = reference, repeats, work
 
     def case(self, name, *overrides, threads=1, until=None):
-        """Summary, CPU and wall seconds of a run, its peak memory (MB)."""
+        """Summary and CPU seconds of a run, its peak memory (MB)."""
         out = self.work / "run"
         shutil.rmtree(out, ignore_errors=True)
         command = [POLDER, "run", name, "--threads", threads, "--quiet", "--out", out]
@@ -66,12 +66,9 @@ class Measurements:
             command += ["--set", override]
         if until is not None:
             command += ["--until", until]
-        if shutil.which("time"):
-            command = ["/usr/bin/time", "-f", "%M", "-o", self.work / "memory"] + command
-        _, cpu, wall = run(command)
         memory = self.work / "memory"
-        peak = float(memory.read_text()) * 1024 / 1e6 if memory.exists() else float("nan")
-        return json.loads((out / "summary.json").read_text()), cpu, wall, peak
+        _, cpu, _ = run(["/usr/bin/time", "-f", "%M", "-o", memory] + command)
+        return json.loads((out / "summary.json").read_text()), cpu, float(memory.read_text()) * 1024 / 1e6
 
     def block(self, space, points, threads):
         out = self.work / "bench.json"
@@ -164,11 +161,12 @@ advected by the flux through its own cell, F-bar, walls.
         if self.reference:
             prototype = self.work / "mac_dike"
             run(["g++", "-O3", "-march=native", "-std=c++20", "-w", f"{self.reference}/mac_dike.cpp", "-o", prototype])
-        rows, ratio = [], []
+        rows = []
         for cell, overrides, repeats in (("0.05 m", [], self.repeats), ("0.025 m", [fine], 1)):
             ours, theirs = [], []
             for _ in range(repeats):
-                ours.append(self.case("dike-seepage", *overrides)[1])
+                whole, cpu, _ = self.case("dike-seepage", *overrides)
+                ours.append(cpu)
                 if prototype:
                     theirs.append(run([prototype, "case=dike", f"h={cell[:-2]}", "cfl=0.8"], cwd=self.work)[1])
             rows.append([cell, listed(ours), listed(theirs) if theirs else "not measured",
@@ -176,14 +174,13 @@ advected by the flux through its own cell, F-bar, walls.
         walls, hashes, kernels = {1: [], 2: []}, set(), {}
         for _ in range(self.repeats):
             for threads in walls:
-                summary, _, wall, _ = self.case("dike-seepage", fine, threads=threads, until=3)
+                summary = self.case("dike-seepage", fine, threads=threads, until=3)[0]
                 walls[threads].append(summary["wall_seconds"])
                 hashes.add(summary["state_hash"])
                 kernels[threads] = summary["kernel_seconds"]
         ratio = [a / b for a, b in zip(walls[1], walls[2])]
         same = "the state is the same to the last bit" if len(hashes) == 1 else "THE STATES DIFFER"
         by_kernel = [[key.replace("_", " "), f"{kernels[1][key]:.2f}", f"{kernels[2][key]:.2f}"] for key in kernels[1]]
-        summary = self.case("dike-seepage", until=5)[0]
         over = self.case("overtopping", until=0.3)[0]
         return f"""## The dike, 23 s
 
@@ -195,17 +192,17 @@ To 3 s with cells of 0.025 m, wall seconds, in turn: {listed(walls[1])} with one
 times as fast (aim 1.7; {listed(ratio, "{:.2f}")}); {same}. By kernel, s (the last pair):
 
 {table(["kernel", "one thread", "two"], by_kernel)}
-Pressure iterations a step (aim: at most 12): {summary["pressure_iterations_per_step"]:.1f} in the dike, {over["pressure_iterations_per_step"]:.1f} in
+Pressure iterations a step (aim: at most 12): {whole["pressure_iterations_per_step"]:.1f} in the dike, {over["pressure_iterations_per_step"]:.1f} in
 `overtopping`. With a jump of 1e6 between clay and sand beside a sheet pile, and as cells are halved, they are bounded by
 `tests/grid/pressure_solver_test.cpp`; hypre beside them is in [decisions](decisions.md).
 """
 
     def predictions(self):
         rows = []
-        for name, *overrides in (("dike-seepage",), ("dike-paper-darcy",), ("granular-column",), ("water-column",)):
+        for name in ("dike-seepage", "dike-paper-darcy", "granular-column", "water-column"):
             command = [POLDER, "check", name, "--json", "--no-drawing"]
             predicted = json.loads(run(command)[0])
-            _, cpu, _, peak = self.case(name)
+            _, cpu, peak = self.case(name)
             rows.append([name, f"{predicted['estimated_memory_bytes'] / 1e6:.0f}", f"{peak:.0f}",
                          f"{predicted['estimated_wall_seconds']:.0f}", f"{cpu:.0f}"])
         return f"""## What `polder check` predicts
@@ -215,9 +212,10 @@ Peak resident memory with the report at the end, which holds the points of all s
 {table(["case", "predicted, MB", "measured, MB", "predicted, s", "measured, CPU s"], rows)}"""
 
     def unsaturated(self):
-        whole, cpu, _, _ = self.case("levee-uplift-paper")
-        scaled, cpu_scaled, _, _ = self.case("levee-uplift-paper", "numerics.step_stretch=1", "numerics.mass_scaling=100", until=120)
-        start = self.case("levee-uplift-paper", "numerics.step_stretch=1", "numerics.mass_scaling=100", until=60)
+        whole, cpu, _ = self.case("levee-uplift-paper")
+        overrides = ("numerics.step_stretch=1", "numerics.mass_scaling=100")
+        scaled, cpu_scaled, _ = self.case("levee-uplift-paper", *overrides, until=120)
+        start = self.case("levee-uplift-paper", *overrides, until=60)
         per_step = (cpu_scaled - start[1]) / (scaled["steps"] - start[0]["steps"])
         steps = (whole["simulated_time"] - 120) * (scaled["steps"] - start[0]["steps"]) / 60 + scaled["steps"]
         return f"""## Unsaturated runs

@@ -183,7 +183,7 @@ void check_initial(const Checking& c) {
   if (sloping && c.model.k0.value_or(0) >= 1)
     report(c.diagnostics, f.place_of("k0"), f.path_of("k0"), "elastic ground at rest has a K0 below 1",
            "give less, or set stress = \"k0\"");
-  if (f.is_given("k0") && c.model.initial_stress != InitialStress::k0 && !sloping)
+  if (f.is_given("k0") && !is_by_k0(c.model.initial_stress))
     report(c.diagnostics, f.place_of("k0"), f.path_of("k0"),
            fmt::format("has no meaning with stress = \"{}\"", f.text("stress")),
            "leave it out, or set stress = \"k0\"");

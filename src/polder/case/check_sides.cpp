@@ -120,8 +120,7 @@ void check_tilt(const Sections& sections, const Model& model, Diagnostics& diagn
   if (model.initial_seepage)
     report(diagnostics, sections.initial.place_of("seepage"), sections.initial.path_of("seepage"),
            "steady seepage at the start is for upright gravity", "give initial.water_table");
-  if (!model.soils.empty() &&
-      (model.initial_stress == InitialStress::k0 || model.initial_stress == InitialStress::k0_slope))
+  if (!model.soils.empty() && is_by_k0(model.initial_stress))
     refuse("the stress at rest by K0 is for upright gravity",
            "set initial.stress = \"gravity\" with an initial stage that raises it, or \"none\"");
   for (std::size_t i = 0; i < sections.boundaries.size(); ++i) {

@@ -22,6 +22,7 @@ using Point3 = std::array<double, 3>;  ///< m; in plane strain the third is unus
 enum class SpaceKind { plane_strain, solid };
 enum class Transfer { apic, xpic };  ///< of the soil's velocities between points and grid
 enum class InitialStress { k0, k0_slope, gravity, none };
+inline bool is_by_k0(InitialStress stress) { return stress == InitialStress::k0 || stress == InitialStress::k0_slope; }
 
 /// A polygon in the section (x, height); in 3d extruded across y from `across[0]` to `across[1]`.
 struct Region {

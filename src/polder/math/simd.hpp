@@ -79,12 +79,6 @@ inline Vec8f load8(const float* from) {
 }
 inline void store8(float* to, Vec8f v) { std::memcpy(to, &v, sizeof v); }
 
-/// Sums over the lanes of four vectors at once: {Σa, Σb, Σc, Σd}.
-inline Vec4 sum_lanes(Vec4 a, Vec4 b, Vec4 c, Vec4 d) {
-  const Vec4 ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const Vec4 cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
-}
 inline double sum_lanes(Vec4 a) { return (a[0] + a[2]) + (a[1] + a[3]); }
 
 /// The largest of n magnitudes, at least 0; what is not a number does not count.

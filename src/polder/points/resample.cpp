@@ -13,19 +13,18 @@ namespace {
 
 constexpr double split_distance = 0.35;  // × edge of the point's bulk box, to either side
 
-template <class Space>
-double bulk_volume(const Lattice<Space>& lattice, const Array& cell_porosity, const WaterPoints<Space>& water,
-                   std::size_t p) {
-  const auto cell = cell_of(lattice, position_of(water, p));
-  return water.volume[p] / cell_porosity[lattice.index(cell[0], cell[1], cell[2])];
-}
+/// What a point of water is measured by where it is.
+struct Surroundings {
+  double porosity;  // of its cell; 1: free water
+  double nominal;   // m³, bulk volume of a point at the start there
+};
 
-/// Bulk volume of a point at the start where this one is.
 template <class Space>
-double nominal_of(const Lattice<Space>& lattice, const ResampleRules& rules, const WaterPoints<Space>& water,
-                  std::size_t p) {
-  if (!lattice.graded) return rules.nominal;
-  return rules.nominal * lattice.cell_volume(cell_of(lattice, position_of(water, p))) / lattice.cell_volume();
+Surroundings surroundings_of(const Lattice<Space>& lattice, const Array& cell_porosity, const ResampleRules& rules,
+                             const WaterPoints<Space>& water, std::size_t p) {
+  const auto cell = cell_of(lattice, position_of(water, p));
+  return {cell_porosity[lattice.index(cell[0], cell[1], cell[2])],
+          lattice.graded ? rules.nominal * lattice.cell_volume(cell) / lattice.cell_volume() : rules.nominal};
 }
 
 /// Edges of a point's box in free water, in cells.
@@ -36,13 +35,6 @@ std::array<double, 3> edges_of(const Lattice<Space>& lattice, const WaterPoints<
   std::array<double, 3> edges{0, 0, 0};
   for (int a = 0; a < Space::axes; ++a) edges[a] = edge * (1 + water.elongation[a][p]);
   return edges;
-}
-
-template <class Space>
-bool in_free_water(const Lattice<Space>& lattice, const Array& cell_porosity, const WaterPoints<Space>& water,
-                   std::size_t p) {
-  const auto cell = cell_of(lattice, position_of(water, p));
-  return cell_porosity[lattice.index(cell[0], cell[1], cell[2])] >= 1;
 }
 
 struct Split {
@@ -61,10 +53,7 @@ std::vector<Split> large_points(const Lattice<Space>& lattice, const Array& cell
     return *longest > rules.split_edge ? static_cast<int>(longest - edges.begin()) : -1;
   };
   for (std::size_t p = begin; p < end; ++p) {
-    const auto cell = cell_of(lattice, position_of(water, p));
-    const double porosity = cell_porosity[lattice.index(cell[0], cell[1], cell[2])];
-    const double nominal =
-        lattice.graded ? rules.nominal * lattice.cell_volume(cell) / lattice.cell_volume() : rules.nominal;
+    const auto [porosity, nominal] = surroundings_of(lattice, cell_porosity, rules, water, p);
     const bool stretches = rules.split_edge > 0 && porosity >= 1 && water.volume[p] >= rules.least * nominal;
     const int axis = stretches ? overlong_axis(p) : -1;
     if (axis >= 0 || water.volume[p] / porosity >= rules.split_at * nominal) large.push_back({p, axis});
@@ -136,7 +125,7 @@ std::size_t split_water(const Lattice<Space>& lattice, const Array& cell_porosit
       for (int a = 0; a < Space::axes; ++a)
         water.elongation[a][p] = (1 + water.elongation[a][p]) * (a == axis ? 0.5 : 1) * wider - 1;
     } else {
-      const double bulk = bulk_volume(lattice, cell_porosity, water, p);
+      const double bulk = water.volume[p] / surroundings_of(lattice, cell_porosity, rules, water, p).porosity;
       const double edge = Space::axes == 2 ? std::sqrt(bulk) : std::cbrt(bulk);
       shift = direction_of(water, p, rules.seed, step);
       for (double& component : shift) component *= split_distance * edge;
@@ -187,10 +176,13 @@ std::size_t merge_water(const Lattice<Space>& lattice, const Array& cell_porosit
     while (last < n && water.home[last] == water.home[first]) ++last;
     if (last - first <= crowd) continue;
     if (gone.empty()) gone.assign(n, 0);
+    const auto is_small = [&](std::size_t p) {
+      const auto [porosity, nominal] = surroundings_of(lattice, cell_porosity, rules, water, p);
+      return water.volume[p] / porosity < rules.merge_below * nominal;
+    };
     std::vector<std::size_t> small;
     for (std::size_t p = first; p < last; ++p)
-      if (bulk_volume(lattice, cell_porosity, water, p) < rules.merge_below * nominal_of(lattice, rules, water, p))
-        small.push_back(p);
+      if (is_small(p)) small.push_back(p);
     for (std::size_t left = last - first; left > crowd && small.size() > 1; --left) {
       std::size_t a = 0, b = 1;
       double closest = 1e300;
@@ -205,7 +197,7 @@ std::size_t merge_water(const Lattice<Space>& lattice, const Array& cell_porosit
         }
       const std::size_t keep = small[a], lose = small[b];
       const double total = water.volume[keep] + water.volume[lose], share = water.volume[lose] / total;
-      if (rules.split_edge > 0 && in_free_water(lattice, cell_porosity, water, keep))
+      if (rules.split_edge > 0 && surroundings_of(lattice, cell_porosity, rules, water, keep).porosity >= 1)
         merge_boxes(lattice, keep, lose, share, water);
       const auto blend = [&](auto& arrays) {
         for (auto& array : arrays) array[keep] += share * (array[lose] - array[keep]);
@@ -217,9 +209,7 @@ std::size_t merge_water(const Lattice<Space>& lattice, const Array& cell_porosit
       gone[lose] = 1;
       ++merged;
       small.erase(small.begin() + static_cast<std::ptrdiff_t>(b));
-      if (bulk_volume(lattice, cell_porosity, water, keep) >=
-          rules.merge_below * nominal_of(lattice, rules, water, keep))
-        small.erase(small.begin() + static_cast<std::ptrdiff_t>(a));
+      if (!is_small(keep)) small.erase(small.begin() + static_cast<std::ptrdiff_t>(a));
     }
   }
   if (merged > 0) remove_points(water, gone);

@@ -124,14 +124,14 @@ void set_sloping_k0_stress(const Model& model, const Setup<PlaneStrain>& setup, 
 
 template <class Space>
 void set_stress_at_rest(const Model& model, const Setup<Space>& setup, SoilPoints<Space>& soil, bool placed) {
-  const bool sloping = model.initial_stress == InitialStress::k0_slope;
-  if (model.initial_stress != InitialStress::k0 && !sloping) return;
+  if (!is_by_k0(model.initial_stress)) return;
   if (model.unsaturated)
     set_unsaturated_k0_stress(model, setup, soil);
   else
     set_k0_stress(model, setup, soil);
   if constexpr (Space::axes == 2)
-    if (sloping && !placed && soil.size() > 0) set_sloping_k0_stress(model, setup, soil);
+    if (model.initial_stress == InitialStress::k0_slope && !placed && soil.size() > 0)
+      set_sloping_k0_stress(model, setup, soil);
 }
 
 template void set_stress_at_rest(const Model&, const Setup<PlaneStrain>&, SoilPoints<PlaneStrain>&, bool);

@@ -71,11 +71,6 @@ struct alignas(64) ChunkWeights {
     at[1] = middle;
     at[2] = graded ? middle + node[a][set][2][l] * slope : middle + slope;
   }
-  /// The moment about the middle node of what is at the two beside it.
-  template <bool graded>
-  [[gnu::always_inline]] Vec4 moment(int a, int set, int l, Vec4 below, Vec4 above) const {
-    return graded ? node[a][set][0][l] * below + node[a][set][2][l] * above : above - below;
-  }
 
   /// The three weights along an axis of a graded lattice, also along x.
   void weights(int a, int set, int l, double (&w)[3], double (&o)[3], double (&d)[3]) const {

@@ -45,60 +45,27 @@ inline FourWeights<4> face_weights(Vec4 from_centre, Vec4 from_face) {
   return at;
 }
 
-/// Weights of component c's nodes for the points from `l` on that are in one cell.
-template <int c, bool graded, class Space>
-struct FourStencils {
+/// Reads component c. `own_difference`: the slope along c is the difference of the two faces of the points' cell.
+template <int c, bool with_slope, bool graded, bool own_difference, class Space>
+class FourPoints {
+ public:
   static constexpr int axes = Space::axes;
-  FourWeights<3> centres[axes];  // of the axes but c
-  FourWeights<4> faces;          // of axis c
 
-  [[gnu::always_inline]] FourStencils(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int l,
-                                      int count) {
+  /// For the points from `l` on that are in one cell.
+  [[gnu::always_inline]] FourPoints(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk,
+                                    const std::array<std::ptrdiff_t, 3>& stride, int l, int count)
+      : stride_(stride) {
     if constexpr (graded) {
       take_graded(lattice, chunk, l, count);
     } else {
       for (int a = 0; a < axes; ++a)
-        if (a != c) centres[a] = centre_weights(load4(chunk.delta[a][0] + l));
-      faces = face_weights(load4(chunk.delta[c][0] + l), load4(chunk.delta[c][1] + l));
+        if (a != c) centres_[a] = centre_weights(load4(chunk.delta[a][0] + l));
+      faces_ = face_weights(load4(chunk.delta[c][0] + l), load4(chunk.delta[c][1] + l));
     }
-  }
-
- private:
-  void take_graded(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int first, int count) {
-    for (int lane = 0; lane < 4; ++lane) {
-      const int l = std::min(first + lane, count - 1);
-      const auto take_row = [&]<int n>(FourWeights<n>& to, const SplineRow& row) {
-        for (int i = 0; i < n; ++i) {
-          to.weight[i][lane] = row.weight[i];
-          to.slope[i][lane] = row.derivative[i];
-          to.node[i][lane] = row.node[i];
-        }
-      };
-      for (int a = 0; a < axes; ++a) {
-        const GradedSpline& spline = *lattice.spline[a];
-        const int cell = chunk.cell[a][l];
-        if (a != c)
-          take_row(centres[a], spline.centres(cell).row(chunk.delta[a][0][l]));
-        else
-          take_row(faces, spline.faces(cell, chunk.face_shift[a][l] != 0).row(chunk.delta[a][1][l]));
-      }
-    }
-  }
-};
-
-/// Reads component c. `own_difference`: the slope along c is the difference of the two faces of the points' cell.
-template <int c, bool with_slope, bool graded, bool own_difference, class Space>
-class FourReaders {
- public:
-  static constexpr int axes = Space::axes;
-
-  [[gnu::always_inline]] FourReaders(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk,
-                                     const std::array<std::ptrdiff_t, 3>& stride, int l, int count)
-      : stencils_(lattice, chunk, l, count), stride_(stride) {
     if constexpr (own_difference) {
       const double step = lattice.spacing[c] / lattice.axis[c].width(chunk.cell[c][l]);
-      stencils_.faces.slope[1] = splat4(-step);
-      stencils_.faces.slope[2] = splat4(step);
+      faces_.slope[1] = splat4(-step);
+      faces_.slope[2] = splat4(step);
     }
   }
 
@@ -125,7 +92,7 @@ class FourReaders {
   /// Along the three centres of axis `inner`.
   template <bool with_moments, bool with_slopes>
   [[gnu::always_inline]] FourSums<axes> line(const double* at) const {
-    const auto& own = stencils_.centres[inner];
+    const auto& own = centres_[inner];
     FourSums<axes> sums;
     const Vec4 low = splat4(at[0]), middle = splat4(at[stride_[inner]]), high = splat4(at[2 * stride_[inner]]);
     const Vec4 low_part = own.weight[0] * low, high_part = own.weight[2] * high;
@@ -141,7 +108,7 @@ class FourReaders {
     if constexpr (axes == 2) {
       return line<with_moments, with_slopes>(at);
     } else {
-      const auto& own = stencils_.centres[outer];
+      const auto& own = centres_[outer];
       FourSums<axes> sums;
       Vec4 part[3];
       unrolled<3>([&]<int k>() POLDER_INLINED {
@@ -166,30 +133,50 @@ class FourReaders {
     Vec4 part[4];
     unrolled<4>([&]<int i>() POLDER_INLINED {
       const auto of_plane = plane<with_moments, with_slopes>(at + i * stride_[c]);
-      part[i] = stencils_.faces.weight[i] * of_plane.value;
+      part[i] = faces_.weight[i] * of_plane.value;
       take<i == 0>(sums.value, part[i]);
-      if constexpr (with_slopes && !own_difference)
-        take<i == 0>(sums.slope[c], stencils_.faces.slope[i] * of_plane.value);
+      if constexpr (with_slopes && !own_difference) take<i == 0>(sums.slope[c], faces_.slope[i] * of_plane.value);
       if constexpr (with_slopes && own_difference && (i == 1 || i == 2))
-        take<i == 1>(sums.slope[c], stencils_.faces.slope[i] * of_plane.value);
+        take<i == 1>(sums.slope[c], faces_.slope[i] * of_plane.value);
       unrolled<axes>([&]<int a>() POLDER_INLINED {
-        if constexpr (a != c && with_moments)
-          take<i == 0>(sums.moment[a], stencils_.faces.weight[i] * of_plane.moment[a]);
-        if constexpr (a != c && with_slopes) take<i == 0>(sums.slope[a], stencils_.faces.weight[i] * of_plane.slope[a]);
+        if constexpr (a != c && with_moments) take<i == 0>(sums.moment[a], faces_.weight[i] * of_plane.moment[a]);
+        if constexpr (a != c && with_slopes) take<i == 0>(sums.slope[a], faces_.weight[i] * of_plane.slope[a]);
       });
     });
     if constexpr (with_moments) {
       if constexpr (graded)
-        sums.moment[c] = stencils_.faces.node[0] * part[0] + stencils_.faces.node[1] * part[1] +
-                         stencils_.faces.node[2] * part[2] + stencils_.faces.node[3] * part[3];
+        sums.moment[c] =
+            faces_.node[0] * part[0] + faces_.node[1] * part[1] + faces_.node[2] * part[2] + faces_.node[3] * part[3];
       else
         sums.moment[c] = part[2] - part[0] + 2 * part[3];
     }
     return sums;
   }
 
-  FourStencils<c, graded, Space> stencils_;
+  void take_graded(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int first, int count) {
+    for (int lane = 0; lane < 4; ++lane) {
+      const int l = std::min(first + lane, count - 1);
+      const auto take_row = [&]<int n>(FourWeights<n>& to, const SplineRow& row) {
+        for (int i = 0; i < n; ++i) {
+          to.weight[i][lane] = row.weight[i];
+          to.slope[i][lane] = row.derivative[i];
+          to.node[i][lane] = row.node[i];
+        }
+      };
+      for (int a = 0; a < axes; ++a) {
+        const GradedSpline& spline = *lattice.spline[a];
+        const int cell = chunk.cell[a][l];
+        if (a != c)
+          take_row(centres_[a], spline.centres(cell).row(chunk.delta[a][0][l]));
+        else
+          take_row(faces_, spline.faces(cell, chunk.face_shift[a][l] != 0).row(chunk.delta[a][1][l]));
+      }
+    }
+  }
+
   std::array<std::ptrdiff_t, 3> stride_;
+  FourWeights<3> centres_[axes];  // of the axes but c
+  FourWeights<4> faces_;          // of axis c
 };
 
 }  // namespace polder

@@ -26,7 +26,7 @@ void gather_component(const Lattice<Space>& lattice, const ChunkWeights<Space>& 
   for (int batch = 0; batch < chunk.batches; ++batch) {
     const int l = chunk.batch[batch];
     const std::ptrdiff_t base = chunk.cell_base[l];
-    const FourReaders<c, with_gradient, graded, own_difference, Space> points(lattice, chunk, stride, l, count);
+    const FourPoints<c, with_gradient, graded, own_difference, Space> points(lattice, chunk, stride, l, count);
     const auto sums = points.sums(field + base);
     store4(out.value + l, sums.value);
     for (int a = 0; a < Space::axes; ++a) {
@@ -44,7 +44,7 @@ void gather_value(const Lattice<Space>& lattice, const ChunkWeights<Space>& chun
   const auto stride = lattice.stride;  // stores to the points cannot change it
   for (int batch = 0; batch < chunk.batches; ++batch) {
     const int l = chunk.batch[batch];
-    const FourReaders<c, false, graded, false, Space> points(lattice, chunk, stride, l, count);
+    const FourPoints<c, false, graded, false, Space> points(lattice, chunk, stride, l, count);
     store4(value + l, points.value(field + chunk.cell_base[l]));
   }
 }
@@ -72,9 +72,7 @@ void take_motion(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk
 /// Runs body.operator()<c>() for every component of the space.
 template <class Space, class Body>
 void over_components(Body&& body) {
-  body.template operator()<0>();
-  body.template operator()<1>();
-  if constexpr (Space::axes == 3) body.template operator()<2>();
+  unrolled<Space::axes>(body);
 }
 
 template <class Space>
