@@ -66,8 +66,9 @@ TEST(PictureNames, SayWhatThePictureShows) {
 
 TEST(PictureFiles, AreListedByQuantityThenTime) {
   const TemporaryFolder folder;
+  Team team(2);
   for (const double time : {10.0, 2.0})
-    write_pictures(folder.path, sample_frame(time), standard_pictures(sample_frame()), time);
+    write_pictures(folder.path, sample_frame(time), standard_pictures(sample_frame()), time, team);
   std::vector<std::string> names;
   for (const auto& path : list_pictures(folder.path)) names.push_back(path.filename().string());
   EXPECT_EQ(names, (std::vector<std::string>{"porosity_2s.png", "porosity_10s.png", "pore_pressure_2s.png",

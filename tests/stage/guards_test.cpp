@@ -88,10 +88,11 @@ TEST(Guards, StopAtAVelocityThatIsNotFinite) {
 }
 
 TEST(Guards, StopWhenAPointHasLeft) {
-  const std::string soil = failure(bed(), [](auto& state) { state.soil.position[0][5] = 1.2; });
+  const std::string soil = failure(bed(), [](auto& state) { state.soil.position[0][5] = 1.2, state.points_changed(); });
   EXPECT_SAYS(soil, "soil point");
   EXPECT_SAYS(soil, "has left the model");
-  const std::string water = failure(bed(), [](auto& state) { state.water.position[1][5] = -0.01; });
+  const std::string water =
+      failure(bed(), [](auto& state) { state.water.position[1][5] = -0.01, state.points_changed(); });
   EXPECT_SAYS(water, "water point");
   EXPECT_SAYS(water, "has left the model");
 }

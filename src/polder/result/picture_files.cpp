@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <exception>
+#include <iterator>
 #include <system_error>
 #include <tuple>
 
@@ -27,11 +29,21 @@ std::optional<PictureName> parse_picture_name(const std::string& file) {
 }
 
 void write_pictures(const std::filesystem::path& folder, const Frame& frame, std::span<const PictureField> fields,
-                    double instant) {
+                    double instant, Team& team) {
   make_folder(folder / "pictures");
-  for (const PictureField& field : fields)
-    if (frame.soil.find(field.name) || frame.water.find(field.water))
-      write_drawing(folder / "pictures" / picture_name({field.name, instant}), draw_frame(frame, field));
+  std::vector<PictureField> shown;
+  std::copy_if(fields.begin(), fields.end(), std::back_inserter(shown),
+               [&](const PictureField& field) { return frame.soil.find(field.name) || frame.water.find(field.water); });
+  std::vector<std::exception_ptr> failures(shown.size());
+  team.each(static_cast<std::ptrdiff_t>(shown.size()), [&](std::ptrdiff_t i) {
+    try {
+      write_drawing(folder / "pictures" / picture_name({shown[i].name, instant}), draw_frame(frame, shown[i]));
+    } catch (...) {
+      failures[i] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& failure : failures)
+    if (failure) std::rethrow_exception(failure);
 }
 
 std::vector<std::filesystem::path> list_pictures(const std::filesystem::path& folder) {

@@ -187,7 +187,7 @@ class Run {
     const Frame frame = frame_of(*simulation_);
     if (series_.empty()) write_section(folder_.path(), frame);
     add_snapshot(folder_.path(), series_, frame);
-    if (picture) write_pictures(folder_.path(), frame, standard_pictures(frame), *picture);
+    if (picture) write_pictures(folder_.path(), frame, standard_pictures(frame), *picture, simulation_->state().team);
   }
 
   void checkpoint() {

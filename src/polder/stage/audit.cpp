@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numeric>
 
 #include "polder/math/simd.hpp"
@@ -68,27 +69,69 @@ Audit<Space>::Audit(const Model& model, const Stepper<Space>& state) {
   if (sections_.empty()) sections_.push_back({0, lattice.cells[0] / 2, lattice.axis[0].edge(lattice.cells[0] / 2)});
 }
 
-/// Water in the cells past the section, as the points' boxes fill them at the start of the last step.
+/// Water in a row of cells past the section, as the points' boxes fill them at the start of the last step.
 template <class Space>
-double Audit<Space>::water_beyond(const Stepper<Space>& state, const Section& section) const {
-  const auto& lattice = state.setup.lattice;
+double Audit<Space>::water_beyond(const Stepper<Space>& state, const Section& section, std::ptrdiff_t first, int count,
+                                  const std::array<int, 3>& place) const {
+  if (section.axis != 0 && place[section.axis] < section.face) return 0;
   double sum = 0;
-  for (std::ptrdiff_t row = 0; row < lattice.row_count(); ++row) {
-    const int at[3] = {0, static_cast<int>(row % lattice.cells[1]), static_cast<int>(row / lattice.cells[1])};
-    if (section.axis != 0 && at[section.axis] < section.face) continue;
-    for (int i = section.axis == 0 ? section.face : 0; i < lattice.cells[0]; ++i)
-      sum += state.grid.water_volume[lattice.index(i, at[1], at[2])];
-  }
+  for (int i = section.axis == 0 ? std::max(0, section.face - place[0]) : 0; i < count; ++i)
+    sum += state.grid.water_volume[first + i];
   return sum;
 }
 
+/// Counts the wet cells of a row.
 template <class Space>
-void Audit<Space>::take(const Stepper<Space>& state, double dt) {
+auto Audit<Space>::count_cells(const Stepper<Space>& state, std::ptrdiff_t first, int count,
+                               const std::array<int, 3>& place) const -> CellCounts {
+  const auto& grid = state.grid;
+  CellCounts counts;
+  for (int i = 0; i < count; ++i) {
+    if (i + 8 <= count && eight(grid.wet.data() + first + i) == 0) {
+      i += 7;
+      continue;
+    }
+    const std::ptrdiff_t cell = first + i;
+    if (!grid.wet[cell]) continue;
+    const bool interior = is_inside_water(state.setup, grid, cell, {place[0] + i, place[1], place[2]});
+    counts += {1, grid.fill[cell] > 1.05, interior, interior && grid.fill[cell] < 0.95};
+  }
+  return counts;
+}
+
+/// Looks through the cells.
+template <class Space>
+auto Audit<Space>::look_through(const Stepper<Space>& state, Team& team) -> CellCounts {
+  const auto& lattice = state.setup.lattice;
+  const std::size_t sections = sections_.size();
+  beyond_.assign(static_cast<std::size_t>(lattice.row_count()) * sections, 0.0);
+  CellCounts all;
+  std::mutex mutex;  // taken once a thread; what is counted does not depend on the order
+  share_rows(state.grid.rows, team, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    CellCounts own;
+    visit_cell_rows(lattice, state.grid.rows, begin, end,
+                    [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+                      own += count_cells(state, first, count, place);
+                      const auto row = static_cast<std::size_t>(place[1] + std::ptrdiff_t{place[2]} * lattice.cells[1]);
+                      for (std::size_t s = 0; s < sections; ++s)
+                        beyond_[row * sections + s] = water_beyond(state, sections_[s], first, count, place);
+                    });
+    const std::lock_guard lock(mutex);
+    all += own;
+  });
+  return all;
+}
+
+template <class Space>
+void Audit<Space>::take(const Stepper<Space>& state, double dt, Team& team) {
   const auto& lattice = state.setup.lattice;
   const auto& grid = state.grid;
   ++steps;
-  for (auto& section : sections_) {
-    const double beyond = water_beyond(state, section);
+  const CellCounts cells = look_through(state, team);
+  for (std::size_t s = 0; s < sections_.size(); ++s) {
+    Section& section = sections_[s];
+    double beyond = 0;
+    for (std::size_t at = s; at < beyond_.size(); at += sections_.size()) beyond += beyond_[at];
     if (steps == 1) section.beyond_at_start = beyond;
     section.moved = beyond - section.beyond_at_start - section.exchanged;
     section.passed_before = section.passed;
@@ -120,21 +163,11 @@ void Audit<Space>::take(const Stepper<Space>& state, double dt) {
     body_work += force.power * dt;
   }
 
-  std::size_t wet = 0, over = 0, inside = 0, under = 0;
-  const auto count_cell = [&](std::ptrdiff_t cell, const std::array<int, 3>& at) {
-    if (!grid.wet[cell]) return;
-    ++wet;
-    over += grid.fill[cell] > 1.05;
-    const bool interior = is_inside_water(state.setup, grid, cell, at);
-    inside += interior;
-    under += interior && grid.fill[cell] < 0.95;
+  const auto share = [](std::uint64_t part, std::uint64_t whole) {
+    return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
   };
-  visit_cell_rows(lattice, grid.rows, 0, lattice.row_count(),
-                  [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
-                    for (int i = 0; i < count; ++i) count_cell(first + i, {place[0] + i, place[1], place[2]});
-                  });
-  overfilled_now = wet > 0 ? static_cast<double>(over) / static_cast<double>(wet) : 0;
-  underfilled_now = inside > 0 ? static_cast<double>(under) / static_cast<double>(inside) : 0;
+  overfilled_now = share(cells.over, cells.wet);
+  underfilled_now = share(cells.under, cells.inside);
   overfilled_most = std::max(overfilled_most, overfilled_now);
   underfilled_most = std::max(underfilled_most, underfilled_now);
 }

@@ -25,7 +25,7 @@ class Audit {
   Audit(const Model& model, const Stepper<Space>& state);
 
   /// After a step.
-  void take(const Stepper<Space>& state, double dt);
+  void take(const Stepper<Space>& state, double dt, Team& team);
   /// After the ground was changed between two steps.
   void take(const Stepper<Space>& state, const ChangedMass& changed);
 
@@ -79,10 +79,22 @@ class Audit {
     double exchanged = 0;        ///< m³ that reservoirs have given beyond it until the last step began
     double passed = 0, passed_before = 0, most = 0;  ///< ∫ flux dt: after the last step, before it, largest so far
   };
-  double water_beyond(const Stepper<Space>& state, const Section& section) const;
+  struct CellCounts {
+    std::uint64_t wet = 0, over = 0, inside = 0, under = 0;  ///< wet; F > 1.05; amid wet ones; of these F < 0.95
+
+    void operator+=(const CellCounts& more) {
+      wet += more.wet, over += more.over, inside += more.inside, under += more.under;
+    }
+  };
+  double water_beyond(const Stepper<Space>& state, const Section& section, std::ptrdiff_t first, int count,
+                      const std::array<int, 3>& place) const;
+  CellCounts count_cells(const Stepper<Space>& state, std::ptrdiff_t first, int count,
+                         const std::array<int, 3>& place) const;
+  CellCounts look_through(const Stepper<Space>& state, Team& team);
   void book(const Stepper<Space>& state, const Exchange& exchange);
 
   std::vector<Section> sections_;
+  std::vector<double> beyond_;  // m³ past each section, row by row
   double solid_at_start_ = 0, water_at_start_ = 0;
 };
 

@@ -126,7 +126,7 @@ StepReport Simulation<Space>::advance() {
   if (stage.until_rest) control.rest_force = stage.rest_force;
   if (stage.ramp > 0) control.gravity_factor = std::min(1.0, time_in_stage_ / stage.ramp);
 
-  guards_.before_step(stepper_, time_);
+  if (stepper_.unsorted()) guards_.before_step(stepper_, time_);  // the points have not come from a step alone
   const double natural = bodies_move_ ? step_of_bodies(stepper_.natural_step()) : stepper_.natural_step();
   const double left = stage.duration - time_in_stage_;
   const double until = std::min(left, to_next_gate());
@@ -146,13 +146,8 @@ StepReport Simulation<Space>::advance() {
   const StepReport report = stepper_.advance(control, dt);
   time_in_stage_ += dt;
   time_ += dt;
-  std::string unsound;  // both read everything there is, and need not wait for one another
-  stepper_.team.each(2, [&](std::ptrdiff_t i) {
-    if (i == 0)
-      audit_.take(stepper_, dt);
-    else
-      unsound = unsound_point_after_step(stepper_);
-  });
+  const std::string unsound = unsound_point_after_step(stepper_, stepper_.team);
+  audit_.take(stepper_, dt, stepper_.team);
   audit_.pressure_iterations += static_cast<std::uint64_t>(report.pressure.iterations);
   audit_.volume_iterations += static_cast<std::uint64_t>(report.volume.iterations);
   guards_.take(stepper_, audit_, report, unsound, time_,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "polder/math/simd.hpp"
@@ -31,6 +32,23 @@ std::string outside(const Points& points, const char* phase, const Array& values
   const auto bad = std::find_if(values.begin(), values.end(), [&](double v) { return !within(v, low, high); });
   const auto p = static_cast<std::size_t>(bad - values.begin());
   return fmt::format("{}: {} ({:.4g})", place_of<Space>(points, p, phase), what, *bad);
+}
+
+struct Range {
+  const Array* values;
+  double low, high;
+};
+
+/// Whether all values of all arrays are in their ranges, looked through by all threads.
+bool all_within_ranges(const std::vector<Range>& ranges, Team& team) {
+  std::atomic<bool> good = true;
+  team.run([&](int rank) {
+    for (const Range& range : ranges) {
+      const auto [begin, end] = team.part(static_cast<std::ptrdiff_t>(range.values->size()), rank);
+      if (!all_within(range.values->data() + begin, end - begin, range.low, range.high)) good = false;
+    }
+  });
+  return good;
 }
 
 template <class Space, class Points>
@@ -118,8 +136,13 @@ std::string unsound_point(const Stepper<Space>& state) {
 }
 
 template <class Space>
-std::string unsound_point_after_step(const Stepper<Space>& state) {
-  return state.unsaturated || !state.motion.sound ? unsound_point(state) : unsound_volume<Space>(state.water);
+std::string unsound_point_after_step(const Stepper<Space>& state, Team& team) {
+  if (state.unsaturated || !state.motion.sound) return unsound_point(state);
+  std::vector<Range> ranges{{&state.water.volume, least_content, largest}};
+  for (int a = 0; a < Space::axes; ++a)
+    for (const Array* x : {&state.soil.position[a], &state.water.position[a]})
+      ranges.push_back({x, 0, state.setup.lattice.length(a)});
+  return all_within_ranges(ranges, team) ? std::string{} : unsound_point(state);
 }
 
 template <class Space>
@@ -141,8 +164,8 @@ template std::string escaped_point(const Stepper<PlaneStrain>&);
 template std::string escaped_point(const Stepper<Solid>&);
 template std::string unsound_point(const Stepper<PlaneStrain>&);
 template std::string unsound_point(const Stepper<Solid>&);
-template std::string unsound_point_after_step(const Stepper<PlaneStrain>&);
-template std::string unsound_point_after_step(const Stepper<Solid>&);
+template std::string unsound_point_after_step(const Stepper<PlaneStrain>&, Team&);
+template std::string unsound_point_after_step(const Stepper<Solid>&, Team&);
 template std::string flaw_of(Stepper<PlaneStrain>&, bool);
 template std::string flaw_of(Stepper<Solid>&, bool);
 

@@ -14,7 +14,7 @@ std::string unsound_point(const Stepper<Space>& state);
 /// The same after a step, whose transfers have looked at what they gave the points while they had it at hand: only the
 /// rest is looked through.
 template <class Space>
-std::string unsound_point_after_step(const Stepper<Space>& state);
+std::string unsound_point_after_step(const Stepper<Space>& state, Team& team);
 
 /// The first point outside the model, likewise. Takes a fraction of the time: positions only.
 template <class Space>
