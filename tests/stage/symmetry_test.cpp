@@ -65,8 +65,8 @@ TEST(MirrorImage, OfARandomModelMovesAsItsMirrorImage) {
         off = std::max({off, std::abs((*u)[0][cell] + (*v)[0][image + 1]), std::abs((*u)[1][cell] - (*v)[1][image])});
       }
     });
-    EXPECT_LE(off, 1e-6 * speed + 1e-8 * std::sqrt(9.81 * model.size[1]));
-    EXPECT_LE(pressure_off, 1e-6 * pressure);
+    EXPECT_LE(off, 1e-9 * speed + 1e-11 * std::sqrt(9.81 * model.size[1]));
+    EXPECT_LE(pressure_off, 1e-9 * pressure);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "polder/grid/lattice.hpp"
+#include "polder/math/threads.hpp"
 
 namespace polder {
 
@@ -27,16 +28,10 @@ struct RowSpan {
 /// Cuts rows into consecutive parts, one a thread, with about equally many cells each. Part r is [result[r],
 /// result[r + 1]).
 inline void deal_out(const std::vector<RowSpan>& spans, int parts, std::vector<std::ptrdiff_t>& bounds) {
-  bounds.assign(static_cast<std::size_t>(parts) + 1, static_cast<std::ptrdiff_t>(spans.size()));
-  bounds.front() = 0;
-  std::ptrdiff_t total = 0;
-  for (const RowSpan& span : spans) total += span.count();
-  std::ptrdiff_t passed = 0;
-  int part = 1;
-  for (std::size_t row = 0; row < spans.size() && part < parts; ++row) {
-    passed += spans[row].count();
-    while (part < parts && passed * parts >= total * part) bounds[part++] = static_cast<std::ptrdiff_t>(row) + 1;
-  }
+  bounds.assign(static_cast<std::size_t>(parts) + 1, 0);
+  cut_in_parts(
+      static_cast<std::ptrdiff_t>(spans.size()), parts, [&](std::ptrdiff_t row) { return spans[row].count(); },
+      [&](int part, std::ptrdiff_t, std::ptrdiff_t end) { bounds[static_cast<std::size_t>(part) + 1] = end; });
 }
 
 template <class Space>

@@ -15,6 +15,23 @@
 
 namespace polder {
 
+/// part(r, begin, end) for consecutive parts of [0, count) of about equal weight, the sum of weight(i) ≥ 0: each ends
+/// with the item whose middle is the last before its share of the whole.
+template <class Weight, class Part>
+void cut_in_parts(std::ptrdiff_t count, int parts, Weight&& weight, Part&& part) {
+  std::ptrdiff_t total = 0;
+  for (std::ptrdiff_t i = 0; i < count; ++i) total += weight(i);
+  std::ptrdiff_t passed = 0, begin = 0, end = 0;
+  for (int r = 0; r < parts; ++r, begin = end) {
+    for (; end < count; ++end) {
+      const std::ptrdiff_t own = weight(end);
+      if (r + 1 < parts && (2 * passed + own) * parts > 2 * total * (r + 1)) break;
+      passed += own;
+    }
+    part(r, begin, end);
+  }
+}
+
 class Team {
  public:
   /// `threads` ≥ 1; 0: as many as the machine has.
@@ -45,19 +62,26 @@ class Team {
   }
 
   /// body(i) for each i in [0, count): for items of unequal weight that do not touch each other. Thread r begins with
-  /// its own consecutive part, whose data are likely still in its cache from the last loop, then helps the others.
+  /// its own consecutive part, whose data are likely still in its cache from the last loop, then helps the others. The
+  /// parts are of about equal weight, where weight(i) is given.
   template <class Body>
   void each(std::ptrdiff_t count, Body&& body) {
+    each(count, body, [](std::ptrdiff_t) { return std::ptrdiff_t{1}; });
+  }
+  template <class Body, class Weight>
+  void each(std::ptrdiff_t count, Body&& body, Weight&& weight) {
     if (size_ == 1 || count < 2) {
       for (std::ptrdiff_t i = 0; i < count; ++i) body(i);
       return;
     }
-    for (int r = 0; r < size_; ++r) next_[r].item.store(part(count, r).first, std::memory_order_relaxed);
+    cut_in_parts(count, size_, weight, [this](int r, std::ptrdiff_t begin, std::ptrdiff_t end) {
+      next_[r].item.store(begin, std::memory_order_relaxed);
+      next_[r].end = end;
+    });
     run([&](int rank) {
       for (int turn = 0; turn < size_; ++turn) {
-        const int owner = (rank + turn) % size_;
-        const std::ptrdiff_t end = part(count, owner).second;
-        for (auto i = next_[owner].item.fetch_add(1); i < end; i = next_[owner].item.fetch_add(1)) body(i);
+        Next& next = next_[(rank + turn) % size_];
+        for (auto i = next.item.fetch_add(1); i < next.end; i = next.item.fetch_add(1)) body(i);
       }
     });
   }
@@ -72,6 +96,7 @@ class Team {
 
   struct alignas(64) Next {
     std::atomic<std::ptrdiff_t> item{0};
+    std::ptrdiff_t end = 0;
   };
 
   int size_;

@@ -51,7 +51,7 @@ void sort_points(const Lattice<Space>& lattice, Points& points, Tiling<Space>& t
 // other, still do not write to the same faces.
 template <class Space>
 void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& home, Tiling<Space>& tiling) {
-  constexpr int many_parts = 64, in_tile = Tiling<Space>::in_tile;
+  constexpr int many_parts = 160, in_tile = Tiling<Space>::in_tile;
   const auto tiles = tiles_of(lattice);
   const int parts = std::clamp(many_parts / (tiles[1] * tiles[2]), 1, (tiles[0] + 1) / 2);
   for (auto& list : tiling.by_colour) list.clear();

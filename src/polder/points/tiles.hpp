@@ -21,7 +21,7 @@ struct TileRange {
 
 template <class Space>
 struct Tiling {
-  static constexpr int width = Space::axes == 2 ? 8 : 6;
+  static constexpr int width = 6;
   static constexpr int in_tile = width * width * (Space::axes == 3 ? width : 1);  ///< cells
   static constexpr int colours = 1 << Space::axes;
   std::array<std::vector<TileRange>, colours> by_colour;

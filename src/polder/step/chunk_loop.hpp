@@ -17,7 +17,7 @@ class Upcoming {
   Upcoming(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& home, std::size_t first, int count)
       : next_(first + static_cast<std::size_t>(count)) {
     // The rows of the tile in which the points are that come a tile later, as far as the next chunk is into it.
-    constexpr std::size_t ahead = Space::axes == 2 ? 256 : 1728;
+    constexpr std::size_t ahead = std::size_t{in_tile} << Space::axes;
     if (next_ + ahead >= home.size()) return;
     const std::int32_t from = home[next_ + ahead - static_cast<std::size_t>(count)], to = home[next_ + ahead];
     tile_ = to / in_tile;
@@ -71,12 +71,19 @@ class Upcoming {
   std::ptrdiff_t corner_ = 0;
 };
 
+/// Runs body(range) over ranges that do not touch each other, each thread beginning with its share of the points.
+template <class Body>
+void over_ranges(const std::vector<TileRange>& ranges, Team& team, Body&& body) {
+  team.each(
+      static_cast<std::ptrdiff_t>(ranges.size()), [&](std::ptrdiff_t t) { body(ranges[t]); },
+      [&](std::ptrdiff_t t) { return std::ptrdiff_t{ranges[t].count}; });
+}
+
 /// Runs body(first point, count) over chunks of every range of tiles, colour after colour.
 template <class Space, class Body>
 void over_chunks(const Tiling<Space>& tiling, Team& team, Body&& body) {
   for (const auto& tiles : tiling.by_colour)
-    team.each(static_cast<std::ptrdiff_t>(tiles.size()), [&](std::ptrdiff_t t) {
-      const TileRange range = tiles[t];
+    over_ranges(tiles, team, [&](const TileRange& range) {
       for (std::uint32_t done = 0; done < range.count; done += chunk_size)
         body(std::size_t{range.first} + done, std::min(chunk_size, static_cast<int>(range.count - done)));
     });

@@ -63,6 +63,17 @@ void over_face_rows(const Lattice<Space>& lattice, const ActiveRows<Space>& rows
              [&](std::ptrdiff_t begin, std::ptrdiff_t end) { visit_face_rows(lattice, rows, c, begin, end, body); });
 }
 
+/// body(component, index of the first face, number of faces, place of the first one) over the rows of every component,
+/// shared out at once.
+template <class Space, class Body>
+void over_all_face_rows(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, Team& team, Body&& body) {
+  share_rows(rows, team, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    for (int c = 0; c < Space::axes; ++c)
+      visit_face_rows(lattice, rows, c, begin, end,
+                      [&](std::ptrdiff_t first, int count, const auto& place) { body(c, first, count, place); });
+  });
+}
+
 /// visit_cell_rows() over all of them, shared out.
 template <class Space, class Body>
 void over_cell_rows(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, Team& team, Body&& body) {

@@ -356,31 +356,29 @@ void damp_locally(const Setup<Space>& setup, double factor, GridFields<Space>& g
 template <class Space>
 void update_discharge(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) {
   const auto& lattice = setup.lattice;
-  for (int c = 0; c < Space::axes; ++c) {
+  over_all_face_rows(lattice, grid.rows, team, [&](int c, std::ptrdiff_t first, int count, const auto&) {
     const std::ptrdiff_t s = lattice.stride[c];
-    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {
-      for (std::ptrdiff_t f = first; f < first + count; ++f) {
-        grid.discharge[c][f] = grid.porosity[c][f] * (grid.water_velocity[c][f] - grid.soil_velocity[c][f]);
-        if (grid.soil_mass[c][f] <= 0) {
-          grid.relative_flux[c][f] = 0;
-          continue;
-        }
-        double square = 0;
-        for (int o = 0; o < Space::axes; ++o) {
-          double u = 0;
-          if (o == c) {
-            u = grid.water_velocity[c][f] - grid.soil_velocity[c][f];
-          } else {  // mean of the four faces around
-            const std::ptrdiff_t t = lattice.stride[o];
-            for (const std::ptrdiff_t at : {f - s, f, f - s + t, f + t})
-              u += 0.25 * (grid.water_velocity[o][at] - grid.soil_velocity[o][at]);
-          }
-          square += u * u;
-        }
-        grid.relative_flux[c][f] = grid.porosity[c][f] * std::sqrt(square);
+    for (std::ptrdiff_t f = first; f < first + count; ++f) {
+      grid.discharge[c][f] = grid.porosity[c][f] * (grid.water_velocity[c][f] - grid.soil_velocity[c][f]);
+      if (grid.soil_mass[c][f] <= 0) {
+        grid.relative_flux[c][f] = 0;
+        continue;
       }
-    });
-  }
+      double square = 0;
+      for (int o = 0; o < Space::axes; ++o) {
+        double u = 0;
+        if (o == c) {
+          u = grid.water_velocity[c][f] - grid.soil_velocity[c][f];
+        } else {  // mean of the four faces around
+          const std::ptrdiff_t t = lattice.stride[o];
+          for (const std::ptrdiff_t at : {f - s, f, f - s + t, f + t})
+            u += 0.25 * (grid.water_velocity[o][at] - grid.soil_velocity[o][at]);
+        }
+        square += u * u;
+      }
+      grid.relative_flux[c][f] = grid.porosity[c][f] * std::sqrt(square);
+    }
+  });
 }
 
 template void predict_faces(const Setup<PlaneStrain>&, const StepControl&, double, GridFields<PlaneStrain>&, Team&);

@@ -15,9 +15,9 @@ void GridFields<Space>::activate(const Lattice<Space>& lattice, ActiveRows<Space
     for (auto& component : *faces) zero.push_back(&component);
   std::vector<Array*> one{&cell_porosity};
   for (auto& component : porosity) one.push_back(&component);
-  std::vector<AlignedVector<std::uint8_t>*> flags{
-      &wet, &layers[0], &layers[1], &shift_layers[0], &shift_layers[1], &soil_known};
-  for (auto& component : reached) flags.push_back(&component);
+  std::vector<AlignedVector<std::uint8_t>*> flags{&wet};
+  for (auto* faces : {&reached, &layers[0], &layers[1], &shift_layers[0], &shift_layers[1], &soil_known})
+    for (auto& component : *faces) flags.push_back(&component);
 
   const auto rest = [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     for (auto* field : zero) std::fill(field->begin() + begin, field->begin() + end, 0.0);

@@ -9,8 +9,13 @@
 
 namespace polder {
 
+/// 0 or 1 on each face.
+template <class Space>
+using FaceFlags = std::array<AlignedVector<std::uint8_t>, static_cast<std::size_t>(Space::axes)>;
+
 /// Where a field is known after one layer of extrapolation, and after two.
-using Layers = std::array<AlignedVector<std::uint8_t>, 2>;
+template <class Space>
+using Layers = std::array<FaceFlags<Space>, 2>;
 
 template <class Space>
 struct GridFields {
@@ -44,11 +49,9 @@ struct GridFields {
         pressure(lattice.make_array()),
         potential(lattice.make_array()),
         owed(lattice.make_array()),
-        wet(static_cast<std::size_t>(lattice.size), 0),
-        layers{wet, wet},
-        shift_layers{wet, wet},
-        soil_known(wet) {
-    for (auto& v : reached) v = wet;
+        wet(static_cast<std::size_t>(lattice.size), 0) {
+    for (auto* flags : {&reached, &layers[0], &layers[1], &shift_layers[0], &shift_layers[1], &soil_known})
+      flags->fill(wet);
     for (auto& n : porosity) std::fill(n.begin(), n.end(), 1.0);
     std::fill(cell_porosity.begin(), cell_porosity.end(), 1.0);
   }
@@ -71,10 +74,10 @@ struct GridFields {
   FaceField<Space> porosity;        ///< n_f = 1 − m_s/(ρs V_f)
   FaceField<Space> relative_flux;   ///< |q| = n|v_w − v_s| of the last step, m/s, lagged in the quadratic drag
   FaceField<Space> discharge;       ///< q = n(v_w − v_s), m/s, for the advection of water points
-  FaceField<Space> soil_response, water_response;                ///< dv/d(∇p), m/s per Pa/m
-  FaceField<Space> mobility;                                     ///< β_f = −(n dv_w + (1−n) dv_s)/d(∇p)
-  FaceField<Space> shift;                                        ///< m, correction of the water's positions
-  std::array<AlignedVector<std::uint8_t>, Space::axes> reached;  ///< 1: a wet cell beside the face
+  FaceField<Space> soil_response, water_response;  ///< dv/d(∇p), m/s per Pa/m
+  FaceField<Space> mobility;                       ///< β_f = −(n dv_w + (1−n) dv_s)/d(∇p)
+  FaceField<Space> shift;                          ///< m, correction of the water's positions
+  FaceFlags<Space> reached;                        ///< 1: a wet cell beside the face
 
   // in cells
   Array soil_sums;                      ///< the next and the horizontal drag side by side while points write, 4 a cell
@@ -101,8 +104,8 @@ struct GridFields {
       body_impulse;                      ///< N s, of the soil on each body in the step, where it is asked for
   std::vector<std::ptrdiff_t> cavities;  ///< cells that held a void when the step began, keep_cavities()
   AlignedVector<std::uint8_t> wet;
-  Layers layers, shift_layers;  ///< scratch of extrapolations, and of the shift's
-  AlignedVector<std::uint8_t> soil_known;
+  Layers<Space> layers, shift_layers;  ///< scratch of extrapolations, and of the shift's
+  FaceFlags<Space> soil_known;
 };
 
 }  // namespace polder

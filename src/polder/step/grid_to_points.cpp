@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "polder/step/chunk_loop.hpp"
+#include "polder/step/face_loop.hpp"
 #include "polder/step/gather.hpp"
 #include "polder/step/leave_body.hpp"
 #include "polder/step/soil_stress.hpp"
@@ -24,8 +25,8 @@ template <class Space, class Body>
 Motion over_tiles(const Tiling<Space>& tiling, Team& team, Body&& body) {
   Motion motion;
   std::mutex mutex;  // taken once a range; a maximum does not depend on the order
-  team.each(static_cast<std::ptrdiff_t>(tiling.in_order.size()), [&](std::ptrdiff_t t) {
-    const Motion of_tile = body(tiling.in_order[t]);
+  over_ranges(tiling.in_order, team, [&](const TileRange& range) {
+    const Motion of_tile = body(range);
     const std::lock_guard lock(mutex);
     motion.take(of_tile);
   });
@@ -42,6 +43,28 @@ void shift_in_cells(const Lattice<Space>& lattice, const ChunkWeights<Space>& ch
     const double share = lattice.graded ? chunk.share[c][l] : 0.5 + chunk.delta[c][0][l];
     displacement[l] = (1 - share) * shift[face] + share * shift[face + lattice.stride[c]];
   }
+}
+
+/// Whether soil has written to any face that the chunk's points read, or to one close by.
+template <class Space>
+bool beside_soil(const Lattice<Space>& lattice, const ChunkWeights<Space>& chunk, int count,
+                 const FaceFlags<Space>& soil) {
+  int low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+  for (int a = 0; a < Space::axes; ++a) {
+    int least = chunk.cell[a][0], most = least;
+    for (int l = 1; l < count; ++l) {
+      least = std::min(least, chunk.cell[a][l]);
+      most = std::max(most, chunk.cell[a][l]);
+    }
+    low[a] = least - 1;
+    high[a] = most + 2;
+  }
+  for (int k = low[2]; k <= high[2]; ++k)
+    for (int j = low[1]; j <= high[1]; ++j)
+      for (std::ptrdiff_t f = lattice.index(low[0], j, k); f <= lattice.index(high[0], j, k); f += 8)
+        for (const auto& component : soil)
+          if (eight(component.data() + f) != 0) return true;
+  return false;
 }
 
 /// Largest of the lengths along axis c, counted in the points' own cells.
@@ -293,7 +316,8 @@ Motion grid_to_water(const Setup<Space>& setup, double dt, const GridFields<Spac
       const bool walled = beside_walls(setup.walls, lattice, chunk, count);
       const bool bodied = beside_bodies(setup.bodies, lattice, chunk, count);
       for (int l = 0; l < count; ++l) porosity[l] = grid.cell_porosity[cell_index(lattice, chunk, l)];
-      const bool in_soil = std::any_of(porosity, porosity + count, [](double n) { return n < 1; });
+      const bool in_soil = std::any_of(porosity, porosity + count, [](double n) { return n < 1; }) ||
+                           beside_soil(lattice, chunk, count, grid.soil_known);
       over_components<Space>([&]<int c>() {
         const double *shift = grid.shift[c].data(), *velocity = gathered.value;
         if (in_soil) {

@@ -30,6 +30,10 @@ double flux_in_cell(const GridFields<Space>& grid, const Lattice<Space>& lattice
 template <class Space, class Body>
 void clear(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, const PhaseBox& box,
            std::initializer_list<FaceField<Space>*> fields, Team& team, Body&& body) {
+  const auto beyond = [&](const MirrorShare& share) {
+    for (int c = 0; c < Space::axes; ++c)
+      for (auto* field : fields) clear_beyond((*field)[c], c, box, lattice, share);
+  };
   share_rows(rows, team, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
     for (int c = 0; c < Space::axes; ++c)
       visit_face_rows(lattice, rows, c, begin, end, [&](std::ptrdiff_t first, int count, const auto&) {
@@ -37,9 +41,9 @@ void clear(const Lattice<Space>& lattice, const ActiveRows<Space>& rows, const P
       });
     visit_cell_rows(lattice, rows, begin, end,
                     [&](std::ptrdiff_t first, int count, const auto&) { body(first, count); });
+    beyond(ends_of_rows(lattice, begin, end));
   });
-  for (int c = 0; c < Space::axes; ++c)
-    for (auto* field : fields) clear_beyond((*field)[c], c, box, lattice);
+  beyond(other_sides);
 }
 
 /// What a chunk of soil points brings to the cells.
@@ -290,12 +294,14 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
     press_loads(setup, soil, first, count, content.volume, time, grid.soil_force[Space::up].data());
   });
 
-  for (int c = 0; c < Space::axes; ++c) {
-    fold_motion(grid.soil_mass[c], grid.soil_velocity[c], c, setup.soil_box, lattice);
-    release_forces(grid.soil_force[c], c, setup.soil_box, lattice);
-    fold(grid.soil_force[c], c, true, setup.soil_box, lattice);
-  }
-  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+  const auto fold_back = [&](const MirrorShare& share) {
+    for (int c = 0; c < Space::axes; ++c) {
+      fold_motion(grid.soil_mass[c], grid.soil_velocity[c], c, setup.soil_box, lattice, share);
+      release_forces(grid.soil_force[c], c, setup.soil_box, lattice, share);
+      fold(grid.soil_force[c], c, true, setup.soil_box, lattice, share);
+    }
+  };
+  const auto sum_up = [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
     const RowVolume<Space> volume(lattice, place);
     for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
       const double* sums = grid.soil_sums.data() + 4 * cell;
@@ -307,7 +313,12 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
       grid.cell_porosity[cell] =
           open > 0 ? std::max(0.2, 1 - grid.solid_volume[cell] / (volume(cell - first) * open)) : 1;
     }
+  };
+  share_rows(grid.rows, team, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    fold_back(ends_of_rows(lattice, begin, end));
+    visit_cell_rows(lattice, grid.rows, begin, end, sum_up);
   });
+  fold_back(other_sides);
   for (Array* field : {&grid.solid_volume, &grid.soil_cell_mass, &grid.cell_porosity, &grid.linear_drag[0],
                        &grid.linear_drag[1], &grid.quadratic_drag[0], &grid.quadratic_drag[1]})
     join_ends(*field, setup.soil_box, lattice);
@@ -366,17 +377,23 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
     });
   });
 
-  for (int c = 0; c < Space::axes; ++c) {
-    fold_motion(grid.water_mass[c], grid.water_velocity[c], c, setup.water_box, lattice);
-  }
-  over_cell_rows(lattice, grid.rows, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+  const auto fold_back = [&](const MirrorShare& share) {
+    for (int c = 0; c < Space::axes; ++c)
+      fold_motion(grid.water_mass[c], grid.water_velocity[c], c, setup.water_box, lattice, share);
+  };
+  const auto look_for_water = [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
     const RowVolume<Space> of_row(lattice, place);
     for (std::ptrdiff_t cell = first; cell < first + count; ++cell) {
       const double open = setup.bodies.open_cell(cell), cell_volume = of_row(cell - first);
       grid.fill[cell] = open > 0 ? grid.water_volume[cell] / (grid.cell_porosity[cell] * cell_volume * open) : 0;
       grid.wet[cell] = is_wet(setup, grid.fill[cell]);
     }
+  };
+  share_rows(grid.rows, team, [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+    fold_back(ends_of_rows(lattice, begin, end));
+    visit_cell_rows(lattice, grid.rows, begin, end, look_for_water);
   });
+  fold_back(other_sides);
   if (setup.single_point) fill_with_carried(setup, grid, team);
   join_ends(grid.fill, setup.water_box, lattice);
   join_ends(grid.wet, setup.water_box, lattice);

@@ -130,7 +130,7 @@ void choose_leaders(const Setup<Space>& setup, GridFields<Space>& grid, PoreFiel
       for (auto* field : {&grid.soil_mass[c], &grid.soil_velocity[c], &grid.soil_force[c], &pores.held_mass[c]})
         (*field)[to] += (*field)[f];
     });
-    detail::over_joined(c, setup.soil_box, lattice, [&](std::ptrdiff_t low, std::ptrdiff_t high) {
+    detail::over_joined(c, setup.soil_box, lattice, {}, [&](std::ptrdiff_t low, std::ptrdiff_t high) {
       leader[low] = leader[high];
       for (auto* field : {&grid.soil_mass[c], &grid.soil_velocity[c], &grid.soil_force[c], &pores.held_mass[c]})
         (*field)[low] = (*field)[high];

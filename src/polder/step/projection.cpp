@@ -70,24 +70,24 @@ void add_heads(const Setup<Space>& setup, const GridFields<Space>& grid, Distanc
   }
 }
 
-/// Carries component c of a face field `layers` (1 or 2) layers beyond the faces where `known` is not 0, by the mean of
-/// the known neighbours on the same side of thin walls. Returns where the field is known then.
+/// Carries a face field `layers` (1 or 2) layers beyond the faces where `known` is not 0, by the mean of the known
+/// neighbours on the same side of thin walls. Returns where the field is known then.
 template <class Space>
-const AlignedVector<std::uint8_t>& spread(const Lattice<Space>& lattice, const ThinWalls<Space>& walls, int c,
-                                          const AlignedVector<std::uint8_t>& known, int layers, Array& field,
-                                          const GridFields<Space>& grid, Layers& scratch, Team& team) {
-  double* v = field.data();
-  // from a face to the one above it on axis a
-  const auto linked = [&](int a, std::ptrdiff_t f) {
+const FaceFlags<Space>& spread(const Lattice<Space>& lattice, const ThinWalls<Space>& walls,
+                               const FaceFlags<Space>& known, int layers, FaceField<Space>& field,
+                               const GridFields<Space>& grid, Layers<Space>& scratch, Team& team) {
+  // from a face of component c to the one above it on axis a
+  const auto linked = [&](int c, int a, std::ptrdiff_t f) {
     if (!walls.any() || a == c) return true;
     const std::ptrdiff_t s = lattice.stride[a];
     return !walls.blocked(a, f + s) || !walls.blocked(a, f + s - lattice.stride[c]);
   };
-  const AlignedVector<std::uint8_t>* reached = &known;
+  const FaceFlags<Space>* reached = &known;
   for (int layer = 0; layer < layers; ++layer) {
-    const std::uint8_t* before = reached->data();
-    std::uint8_t* after = scratch[layer].data();
-    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& place) {
+    over_all_face_rows(lattice, grid.rows, team, [&](int c, std::ptrdiff_t first, int count, const auto& place) {
+      const std::uint8_t* before = (*reached)[c].data();
+      std::uint8_t* after = scratch[layer][c].data();
+      double* v = field[c].data();
       for (int i = 0; i < count; ++i) {
         const std::ptrdiff_t f = first + i;
         if (i + 8 <= count) {  // eight that are all known, or far from all that is known
@@ -108,8 +108,8 @@ const AlignedVector<std::uint8_t>& spread(const Lattice<Space>& lattice, const T
         int number = 0;
         for (int a = 0; a < Space::axes; ++a) {
           const std::ptrdiff_t s = lattice.stride[a];
-          if (at[a] > 0 && before[f - s] && linked(a, f - s)) sum += v[f - s], ++number;
-          if (at[a] < lattice.cells[a] - (a != c) && before[f + s] && linked(a, f)) sum += v[f + s], ++number;
+          if (at[a] > 0 && before[f - s] && linked(c, a, f - s)) sum += v[f - s], ++number;
+          if (at[a] < lattice.cells[a] - (a != c) && before[f + s] && linked(c, a, f)) sum += v[f + s], ++number;
         }
         if (number == 0) continue;
         v[f] = sum / number;
@@ -126,14 +126,12 @@ const AlignedVector<std::uint8_t>& spread(const Lattice<Space>& lattice, const T
 template <class Space>
 void extrapolate_soil(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) {
   const auto& lattice = setup.lattice;
-  auto& known = grid.soil_known;
-  for (int c = 0; c < Space::axes; ++c) {
-    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const auto&) {
-      for (std::ptrdiff_t f = first; f < first + count; ++f)
-        known[f] = grid.soil_mass[c][f] > 0 && !setup.walls.blocked(c, f);
-    });
-    spread(lattice, setup.walls, c, known, setup.bodies.any() ? 2 : 1, grid.soil_velocity[c], grid, grid.layers, team);
-  }
+  over_all_face_rows(lattice, grid.rows, team, [&](int c, std::ptrdiff_t first, int count, const auto&) {
+    for (std::ptrdiff_t f = first; f < first + count; ++f)
+      grid.soil_known[c][f] = grid.soil_mass[c][f] > 0 && !setup.walls.blocked(c, f);
+  });
+  spread(lattice, setup.walls, grid.soil_known, setup.bodies.any() ? 2 : 1, grid.soil_velocity, grid, grid.layers,
+         team);
 }
 
 template <class Space>
@@ -215,34 +213,25 @@ SolveResult project(const Setup<Space>& setup, double dt, const std::vector<Well
 
 template <class Space>
 void extrapolate_water(const Setup<Space>& setup, const GridFields<Space>& grid, FaceField<Space>& field,
-                       bool keep_ballistic, Layers& layers, Team& team) {
+                       bool keep_ballistic, Layers<Space>& layers, Team& team) {
   const auto& lattice = setup.lattice;
-  for (int c = 0; c < Space::axes; ++c) {
-    double* v = field[c].data();
-    const OpenSide* open[2] = {setup.open_side(c, 0), setup.open_side(c, 1)};
-    const bool joined = setup.water_box.periodic(c);
-    const auto closed = [&](int end, int along) {
-      return !joined && (!open[end] || !open[end]->part.covers(along)) && !setup.absorbs(c, end);
+  const FaceFlags<Space>& filled = spread(lattice, setup.walls, grid.reached, 2, field, grid, layers, team);
+  over_all_face_rows(lattice, grid.rows, team, [&](int c, std::ptrdiff_t first, int count, const auto& at) {
+    double* row = field[c].data() + first;
+    const std::uint8_t* known = filled[c].data() + first;
+    const double* mass = grid.water_mass[c].data() + first;
+    for (int i = 0; i < count; ++i) row[i] = known[i] || (keep_ballistic && mass[i] > 0) ? row[i] : 0;
+
+    const auto close = [&](int end, int i, int along) {
+      const OpenSide* open = setup.open_side(c, end);
+      if (setup.water_box.periodic(c) || (open && open->part.covers(along)) || setup.absorbs(c, end)) return;
+      row[i] = keep_ballistic ? setup.wall_velocity(c, end) : 0;  // a velocity is that of the wall there, a shift none
     };
-    // a velocity is that of the wall there, a shift none
-    const double at_wall[2] = {keep_ballistic ? setup.wall_velocity(c, 0) : 0,
-                               keep_ballistic ? setup.wall_velocity(c, 1) : 0};
-    const AlignedVector<std::uint8_t>& filled =
-        spread(lattice, setup.walls, c, grid.reached[c], 2, field[c], grid, layers, team);
-    over_face_rows(lattice, grid.rows, c, team, [&](std::ptrdiff_t first, int count, const std::array<int, 3>& at) {
-      double* row = v + first;
-      const std::uint8_t* known = filled.data() + first;
-      const double* mass = grid.water_mass[c].data() + first;
-      for (int i = 0; i < count; ++i) row[i] = known[i] || (keep_ballistic && mass[i] > 0) ? row[i] : 0;
-      if (c > 0 && (at[c] == 0 || at[c] == lattice.cells[c])) {
-        const int end = at[c] == 0 ? 0 : 1;
-        for (int i = 0; i < count; ++i)
-          if (closed(end, at[0] + i)) row[i] = at_wall[end];
-      }
-      if (c == 0 && at[0] == 0 && closed(0, at[Space::up])) row[0] = at_wall[0];
-      if (c == 0 && at[0] + count == lattice.cells[0] + 1 && closed(1, at[Space::up])) row[count - 1] = at_wall[1];
-    });
-  }
+    if (c > 0 && (at[c] == 0 || at[c] == lattice.cells[c]))
+      for (int i = 0; i < count; ++i) close(at[c] == 0 ? 0 : 1, i, at[0] + i);
+    if (c == 0 && at[0] == 0) close(0, 0, at[Space::up]);
+    if (c == 0 && at[0] + count == lattice.cells[0] + 1) close(1, count - 1, at[Space::up]);
+  });
 }
 
 template <class Space>
@@ -320,7 +309,8 @@ template SolveResult correct_volume(const Setup<Solid>&, GridFields<Solid>&, Pre
 template void extrapolate_soil(const Setup<PlaneStrain>&, GridFields<PlaneStrain>&, Team&);
 template void extrapolate_soil(const Setup<Solid>&, GridFields<Solid>&, Team&);
 template void extrapolate_water(const Setup<PlaneStrain>&, const GridFields<PlaneStrain>&, FaceField<PlaneStrain>&,
-                                bool, Layers&, Team&);
-template void extrapolate_water(const Setup<Solid>&, const GridFields<Solid>&, FaceField<Solid>&, bool, Layers&, Team&);
+                                bool, Layers<PlaneStrain>&, Team&);
+template void extrapolate_water(const Setup<Solid>&, const GridFields<Solid>&, FaceField<Solid>&, bool, Layers<Solid>&,
+                                Team&);
 
 }  // namespace polder

@@ -24,7 +24,7 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
 /// `keep_ballistic` and water has written to the face, else zero. `layers` is scratch.
 template <class Space>
 void extrapolate_water(const Setup<Space>& setup, const GridFields<Space>& grid, FaceField<Space>& field,
-                       bool keep_ballistic, Layers& layers, Team& team);
+                       bool keep_ballistic, Layers<Space>& layers, Team& team);
 
 /// Carries the soil's velocity one layer past the faces that soil has written to: water beside soil moves relative to
 /// it.

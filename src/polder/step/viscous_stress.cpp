@@ -55,7 +55,7 @@ void add_viscous_stress(const Setup<Space>& setup, double dt, GridFields<Space>&
       }
     });
     if (setup.water_box.periodic(c))
-      detail::over_joined(c, setup.water_box, lattice,
+      detail::over_joined(c, setup.water_box, lattice, {},
                           [&](std::ptrdiff_t low, std::ptrdiff_t high) { momentum[high] = momentum[low]; });
   }
 }
