@@ -165,6 +165,52 @@ TEST(UnsaturatedColumn, HoldsTheSameWaterWhateverItsStep) {
   EXPECT_NEAR(drained("1 s"), drained("2 ms"), 1e-4);
 }
 
+TEST(StepMaterial, SetsTheStepAndSoilTooStiffForItSettlesTheSame) {
+  const auto on_marl = [](const std::string& sets_step) {
+    return after(R"(
+[model]
+formulation = "unsaturated"
+size = ["0.5 m", "6 m"]
+cell = "0.25 m"
+[initial]
+water_table = [[0, 3.5], [0.5, 3.5]]
+[[material]]
+name = "marl"
+law = "linear-elastic"
+grain_density = "2650 kg/m3"
+porosity = 0.4
+permeability = "5e-4 m/s"
+young_modulus = "500 MPa"
+poisson_ratio = 0.3
+[[retention]]
+material = "marl"
+model = "linear"
+slope = "1e-3 1/kPa"
+[[soil]]
+material = "marl"
+box = [[0, 0], [0.5, 1]]
+)" + soil("[[0, 1], [0.5, 1], [0.5, 4], [0, 4]]", base(R"([["2 s", "3.5 m"], ["2.1 s", "0.5 m"]])")) +
+                 R"(
+[[stage]]
+name = "rest"
+duration = "2 s"
+initial = true
+local_damping = 0.7
+[[stage]]
+name = "drain"
+duration = "4 s"
+local_damping = 0.5
+[numerics]
+)" + sets_step);
+  };
+  const auto natural = on_marl(""), softer = on_marl("step_material = \"silt\"");
+  const auto steps = [](const Simulation<PlaneStrain>& run) { return static_cast<double>(run.state().step); };
+  EXPECT_NEAR(steps(*natural) / steps(*softer), 5, 0.1);  // √(500/20)
+  EXPECT_GT(settlement(natural->state()), 1e-4);
+  EXPECT_NEAR(settlement(softer->state()), settlement(natural->state()), 0.01 * settlement(natural->state()));
+  EXPECT_NEAR(water_of(*softer), water_of(*natural), 1e-4 * water_of(*natural));
+}
+
 TEST(UnsaturatedColumn, DrainedAndWettedAgainReturnsToItsState) {
   const auto start = after(column("3.5", base("\"3.5 m\""), "10 s"));
   const auto drained = after(column("3.5", base(R"([["20 s", "3.5 m"], ["21 s", "0.5 m"]])"), "5000 s"));

@@ -83,6 +83,16 @@ void check_limits(const Sections& sections, const Model& model, Diagnostics& dia
       if (!model.unsaturated && f.is_given(key))
         report(diagnostics, f.place_of(key), f.path_of(key), "is only for the unsaturated formulation",
                "leave it out, or set model.formulation = \"unsaturated\"");
+  const auto refuse_step_material = [&](const char* what, const char* remedy) {
+    const Fields& f = sections.numerics;
+    report(diagnostics, f.place_of("step_material"), f.path_of("step_material"), what, remedy);
+  };
+  if (!model.unsaturated && sections.numerics.is_given("step_material"))
+    refuse_step_material("is only for the unsaturated formulation",
+                         "leave it out, or set model.formulation = \"unsaturated\"");
+  for (const MaterialInput& material : model.materials)
+    if (material.fixed && material.name == model.numerics.step_material)
+      refuse_step_material("names a material that is fixed, which has no natural step", "name one that moves");
   int lines = 0;
   for (std::size_t i = 0; i < model.boundaries.size(); ++i) {
     const Boundary& b = model.boundaries[i];

@@ -205,6 +205,7 @@ struct Numerics {
   /// Unsaturated formulation: factor on the inertia, ≥ 1; and how many times the natural step a step may have while the
   /// ground is at rest, ≥ 1 (soil too stiff for it gets more inertia).
   double mass_scaling = 1, step_stretch = 1;
+  std::string step_material;  ///< likewise: whose stiffness sets the natural step; empty: the stiffest one
   unsigned long long seed = 1;
   double jitter = 0;  ///< seeding jitter as a share of the points' spacing
 };

@@ -287,6 +287,7 @@ Json case_json(const Model& model) {
   if (model.unsaturated) {
     json["numerics"]["mass_scaling"] = n.mass_scaling;
     json["numerics"]["step_stretch"] = n.step_stretch;
+    if (!n.step_material.empty()) json["numerics"]["step_material"] = n.step_material;
   }
   return json;
 }

@@ -342,6 +342,7 @@ ReadResult read_case(const std::string& path, const std::vector<std::string>& ov
   read_initial(sections.initial, model);
   read_output(sections.output, model.output);
   read_numerics(sections.numerics, model.numerics);
+  model.numerics.step_material = known_material(sections.numerics, "step_material", model, diagnostics);
   result.seepage = read_seepage(sections, model, diagnostics);
   if (model.unsaturated) {
     model.retentions = result.seepage.retentions;

@@ -112,15 +112,19 @@ void need(const Fields& fields, std::string_view key, Diagnostics& diagnostics) 
     report(diagnostics, fields.place, fields.path_of(key), "missing", fmt::format("give {} its {}", fields.path, key));
 }
 
-std::string material_named(const Fields& fields, const Model& model, Diagnostics& diagnostics) {
-  need(fields, "material", diagnostics);
-  std::string name = fields.text("material");
+std::string known_material(const Fields& fields, std::string_view key, const Model& model, Diagnostics& diagnostics) {
+  std::string name = fields.text(key);
   const bool known = std::any_of(model.materials.begin(), model.materials.end(),
                                  [&](const MaterialInput& m) { return m.name == name; });
   if (!known && !name.empty())
-    report(diagnostics, fields.place_of("material"), fields.path_of("material"),
-           fmt::format("there is no material \"{}\"", name), "name one of the [[material]] sections");
+    report(diagnostics, fields.place_of(key), fields.path_of(key), fmt::format("there is no material \"{}\"", name),
+           "name one of the [[material]] sections");
   return name;
+}
+
+std::string material_named(const Fields& fields, const Model& model, Diagnostics& diagnostics) {
+  need(fields, "material", diagnostics);
+  return known_material(fields, "material", model, diagnostics);
 }
 
 Sections read_sections(const Value& document, Diagnostics& diagnostics) {

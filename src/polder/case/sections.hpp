@@ -31,6 +31,9 @@ Fields read_material_section(const Value& table, const std::string& path, const 
 /// Reports a key that a section cannot do without.
 void need(const Fields& fields, std::string_view key, Diagnostics& diagnostics);
 
+/// What the section says under `key`, reported where no [[material]] has the name; empty where it says nothing.
+std::string known_material(const Fields& fields, std::string_view key, const Model& model, Diagnostics& diagnostics);
+
 /// What the section says under `material`, reported where it is missing or no [[material]] has the name.
 std::string material_named(const Fields& fields, const Model& model, Diagnostics& diagnostics);
 

@@ -195,7 +195,8 @@ Setup<Space> make_setup(const Model& model) {
       material.drag[d] = make_drag(drag);
     }
     if (input.permeability && (*input.permeability)[0] != (*input.permeability)[1]) setup.anisotropic = true;
-    if (!input.fixed) {
+    const std::string& sets_step = model.numerics.step_material;
+    if (!input.fixed && (sets_step.empty() || sets_step == input.name)) {
       const double speed =
           std::sqrt(material.law->constrained_modulus(pressure) / ((1 - input.porosity) * input.grain_density));
       setup.soil_step = std::min(setup.soil_step, model.numerics.cfl * h / speed);

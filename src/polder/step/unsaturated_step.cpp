@@ -108,7 +108,7 @@ void UnsaturatedStep<Space>::ground_changed(const Setup<Space>& setup, const Soi
 
 template <class Space>
 double UnsaturatedStep<Space>::natural_step(const Setup<Space>& setup) const {
-  // of the stiffest material: soil_step holds cfl of it
+  // of the stiffest material, or of the one named: soil_step holds cfl of it
   const double natural = setup.soil_step * difference_cfl / setup.numerics.cfl;
   return natural * std::sqrt(setup.numerics.mass_scaling) * calm.stretch;
 }
@@ -289,7 +289,7 @@ void UnsaturatedStep<Space>::judge(const Setup<Space>& setup, const SoilPoints<S
     largest = std::max(largest, rate * pores.inertia[p] / (pores.volume[p] * confinement));
   }
   calm.inertial_number = std::sqrt(largest) * h;
-  if (calm.stretch > 1 || setup.numerics.mass_scaling > 1) {
+  if (calm.stretch > 1 || setup.numerics.mass_scaling > 1 || !setup.numerics.step_material.empty()) {
     calm.worst_energy_ratio = std::max(calm.worst_energy_ratio, calm.energy_ratio);
     calm.worst_inertial_number = std::max(calm.worst_inertial_number, calm.inertial_number);
   }
