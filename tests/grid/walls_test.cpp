@@ -49,5 +49,35 @@ TEST(MirrorWalls, ReadingIsTheTransposeOfWriting) {
   check_adjoint<Solid>({6, 5, 4});
 }
 
+/// What fold() does to a field, shared out by rows in two parts and then the other sides, is what it does at once.
+template <class Space>
+void check_shares(const std::array<int, 3>& cells, WallKind along_x) {
+  const Lattice<Space> lattice(cells, {1, 1, 1});
+  PhaseBox box;
+  box.high = {cells[0], cells[1], Space::axes == 3 ? cells[2] : 1};
+  box.wall[0] = {along_x, along_x};
+  box.wall[1][0] = WallKind::rough;
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> whole(-1000, 1000);  // sums of them are exact in any order
+  for (int c = -1; c < Space::axes; ++c) {
+    Array at_once = lattice.make_array();
+    for (double& v : at_once) v = whole(random);
+    Array shared = at_once;
+    fold(at_once, c, true, box, lattice);
+    const std::ptrdiff_t rows = lattice.row_count(), cut = rows / 2 + 1;
+    fold(shared, c, true, box, lattice, ends_of_rows(lattice, cut, rows));
+    fold(shared, c, true, box, lattice, ends_of_rows(lattice, 0, cut));
+    fold(shared, c, true, box, lattice, other_sides);
+    EXPECT_EQ(shared, at_once) << "component " << c;
+  }
+}
+
+TEST(MirrorWalls, AreFoldedBackInSharesOfRowsAsAtOnce) {
+  for (const WallKind kind : {WallKind::smooth, WallKind::rough, WallKind::periodic}) {
+    check_shares<PlaneStrain>({7, 5, 1}, kind);
+    check_shares<Solid>({6, 5, 4}, kind);
+  }
+}
+
 }  // namespace
 }  // namespace polder
