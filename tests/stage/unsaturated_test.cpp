@@ -204,8 +204,10 @@ local_damping = 0.5
 )" + sets_step);
   };
   const auto natural = on_marl(""), softer = on_marl("step_material = \"silt\"");
+  const auto half = on_marl("step_material = \"silt\"\ncfl = 0.25");
   const auto steps = [](const Simulation<PlaneStrain>& run) { return static_cast<double>(run.state().step); };
   EXPECT_NEAR(steps(*natural) / steps(*softer), 5, 0.1);  // √(500/20)
+  EXPECT_NEAR(steps(*half) / steps(*softer), 2, 0.05);
   EXPECT_GT(settlement(natural->state()), 1e-4);
   EXPECT_NEAR(settlement(softer->state()), settlement(natural->state()), 0.01 * settlement(natural->state()));
   EXPECT_NEAR(water_of(*softer), water_of(*natural), 1e-4 * water_of(*natural));

@@ -301,7 +301,7 @@ std::vector<Key> make_keys() {
        "Interval of the checkpoints, in time of the clock on the wall."},
       // ---- numerics
       {"numerics", "cfl", "", "ratio", false, "0.8", 0.01, 1, "0.8",
-       "Share of the cell that the drained P-wave crosses in a step."},
+       "Share of the cell that the drained P-wave crosses in a step; in the unsaturated formulation 0.5 at most."},
       {"numerics", "pressure_tolerance", "", "ratio", false, "1e-6", 1e-14, 1e-2, "1e-6",
        "Relative residual at which the pressure is solved."},
       {"numerics", "transfer", "", "choice:apic|xpic", false, "apic", any, infinity, R"("xpic")",

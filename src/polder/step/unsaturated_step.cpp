@@ -109,7 +109,8 @@ void UnsaturatedStep<Space>::ground_changed(const Setup<Space>& setup, const Soi
 template <class Space>
 double UnsaturatedStep<Space>::natural_step(const Setup<Space>& setup) const {
   // of the stiffest material, or of the one named: soil_step holds cfl of it
-  const double natural = setup.soil_step * difference_cfl / setup.numerics.cfl;
+  const double cfl = setup.numerics.cfl;
+  const double natural = cfl > difference_cfl ? setup.soil_step * difference_cfl / cfl : setup.soil_step;
   return natural * std::sqrt(setup.numerics.mass_scaling) * calm.stretch;
 }
 
