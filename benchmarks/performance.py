@@ -214,7 +214,7 @@ Peak resident memory with the report at the end, which holds the points of all s
     def unsaturated(self):
         whole, cpu, _ = self.case("levee-uplift-paper")
         uniform = ("numerics.step_stretch=1", "numerics.mass_scaling=100")
-        scaled, cpu_scaled, _ = self.case("levee-uplift-paper", *uniform, 'numerics.step_material="clay"')
+        scaled, cpu_scaled, _ = self.case("levee-uplift-paper", *uniform, "numerics.step_material=clay")
         partly, cpu_partly, _ = self.case("levee-uplift-paper", *uniform, until=120)
         start, cpu_start, _ = self.case("levee-uplift-paper", *uniform, until=60)
         steps, seconds = partly["steps"] - start["steps"], cpu_partly - cpu_start
