@@ -48,10 +48,12 @@ void sort_points(const Lattice<Space>& lattice, Points& points, Tiling<Space>& t
 // Tiles that follow one another along x are taken together, as one range of points: a whole row of them where there are
 // many rows, a part of one where there are few, so that threads find enough of them in a colour to end together. So the
 // points of a range lie one after the other in memory, and ranges of a colour, two rows or parts of a row from each
-// other, still do not write to the same faces.
+// other, still do not write to the same faces. Where points write to nothing but themselves, ranges are of several
+// hundred points, whatever the tiles: the last batch of a range is seldom full.
 template <class Space>
 void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& home, Tiling<Space>& tiling) {
   constexpr int many_parts = 160, in_tile = Tiling<Space>::in_tile;
+  constexpr std::uint32_t worth_a_range = 512;  // points, where a range may be as long as one likes
   const auto tiles = tiles_of(lattice);
   const int parts = std::clamp(many_parts / (tiles[1] * tiles[2]), 1, (tiles[0] + 1) / 2);
   for (auto& list : tiling.by_colour) list.clear();
@@ -63,10 +65,12 @@ void tile_points(const Lattice<Space>& lattice, const AlignedVector<std::int32_t
     const std::array<int, 3> range{tile % tiles[0] * parts / tiles[0], tile / tiles[0] % tiles[1],
                                    tile / tiles[0] / tiles[1]};
     auto& of_colour = tiling.by_colour[range[0] % 2 + 2 * (range[1] % 2) + 4 * (range[2] % 2)];
-    for (auto* list : {&of_colour, &tiling.in_order}) {
-      if (range != last_range) list->push_back({static_cast<std::uint32_t>(first), 0});
-      list->back().count += static_cast<std::uint32_t>(last - first);
-    }
+    const auto add = [&](std::vector<TileRange>& list, bool begin) {
+      if (begin) list.push_back({static_cast<std::uint32_t>(first), 0});
+      list.back().count += static_cast<std::uint32_t>(last - first);
+    };
+    add(of_colour, range != last_range);
+    add(tiling.in_order, tiling.in_order.empty() || tiling.in_order.back().count >= worth_a_range);
     last_range = range;
   }
 }
