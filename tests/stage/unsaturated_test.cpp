@@ -34,11 +34,11 @@ polygon = {}
 }
 
 /// Rest under gravity, then the change; ends inside [numerics].
-std::string stages(const std::string& duration, double damping, int stretch) {
+std::string stages(const std::string& duration, double damping, int stretch, const std::string& rest = "20 s") {
   return fmt::format(R"(
 [[stage]]
 name = "rest"
-duration = "20 s"
+duration = "{}"
 initial = true
 local_damping = 0.7
 [[stage]]
@@ -48,7 +48,7 @@ local_damping = {}
 [numerics]
 step_stretch = {}
 )",
-                     duration, damping, stretch);
+                     rest, duration, damping, stretch);
 }
 
 std::string column(const std::string& initial_level, const std::string& boundaries, const std::string& duration,
@@ -190,18 +190,7 @@ slope = "1e-3 1/kPa"
 material = "marl"
 box = [[0, 0], [0.5, 1]]
 )" + soil("[[0, 1], [0.5, 1], [0.5, 4], [0, 4]]", base(R"([["2 s", "3.5 m"], ["2.1 s", "0.5 m"]])")) +
-                 R"(
-[[stage]]
-name = "rest"
-duration = "2 s"
-initial = true
-local_damping = 0.7
-[[stage]]
-name = "drain"
-duration = "4 s"
-local_damping = 0.5
-[numerics]
-)" + sets_step);
+                 stages("4 s", 0.5, 1, "2 s") + sets_step);
   };
   const auto natural = on_marl(""), softer = on_marl("step_material = \"silt\"");
   const auto half = on_marl("step_material = \"silt\"\ncfl = 0.25");

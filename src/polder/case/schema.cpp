@@ -330,8 +330,7 @@ std::vector<Key> make_keys() {
        "stiff for it gets as much more inertia as it needs; where the ground runs, steps are natural again."},
       {"numerics", "step_material", "", "name", false, "", any, infinity, R"("clay")",
        "Unsaturated formulation: the material whose stiffness sets the natural step. Soil too stiff for it gets as "
-       "much "
-       "more inertia as it needs, also where the ground runs. Left out: the stiffest, so that none is given any."},
+       "much more inertia as it needs, also where the ground runs. Left out: the stiffest, so that none is given any."},
       {"numerics", "jitter", "", "ratio", false, "0", 0, 0.5, "0",
        "Random displacement of the points at the start, as a share of their spacing."},
       {"numerics", "seed", "", "count", false, "1", 0, 9007199254740992.0, "1", "Of the random numbers."},
