@@ -181,6 +181,61 @@ TEST(PressureSolver, KeepsNothingOfRowsThatAreNoLongerActive) {
   check_moving<Solid>({21, 18, 17});
 }
 
+/// Right sides that change by as much again from solve to solve, and what each takes from where the last ended.
+std::vector<int> iterations_of_steady_change(Team& team, bool with_trend, Array& x, Array& trend) {
+  const Lattice<PlaneStrain> lattice({96, 96, 1}, {1, 1, 1});
+  auto solver = problem(lattice, 10);
+  const Array first = solver.right_side;
+  x = lattice.make_array();
+  trend = lattice.make_array();
+  std::vector<int> iterations;
+  for (int number = 0; number < 4; ++number) {
+    over_all_cells(lattice, [&](std::ptrdiff_t at, const std::array<int, 3>& cell) {
+      solver.right_side[at] = first[at] + number * 0.01 * std::cos(0.1 * cell[0]);
+    });
+    const SolveResult result = solver.solve(ActiveRows(lattice, 1), x, 1e-6, 100, team, with_trend ? &trend : nullptr);
+    EXPECT_TRUE(result.converged) << number;
+    iterations.push_back(result.iterations);
+  }
+  return iterations;
+}
+
+TEST(PressureSolver, ATrendGoesOn) {
+  Team alone(1), two(2);
+  Array x, trend, without, unused;
+  const auto plain = iterations_of_steady_change(alone, false, without, unused);
+  const auto ahead = iterations_of_steady_change(alone, true, x, trend);
+  EXPECT_EQ(ahead[0], plain[0]);  // a trend of zero does nothing
+  EXPECT_GE(plain[3], 4);
+  EXPECT_LE(ahead[3], 1);
+  const double largest = largest_magnitude(x.data(), static_cast<std::ptrdiff_t>(x.size()));
+  for (std::size_t at = 0; at < x.size(); ++at) EXPECT_NEAR(x[at], without[at], 1e-5 * largest);
+
+  Array x_of_two, trend_of_two;
+  iterations_of_steady_change(two, true, x_of_two, trend_of_two);
+  EXPECT_EQ(x_of_two, x);
+  EXPECT_EQ(trend_of_two, trend);
+}
+
+TEST(PressureSolver, ATrendThatIsWrongIsNotFollowed) {
+  const Lattice<PlaneStrain> lattice({64, 64, 1}, {1, 1, 1});
+  Team team(1);
+  std::vector<int> iterations;
+  for (const double wrong : {0.0, 1e3}) {
+    auto solver = problem(lattice, 10);
+    Array x = lattice.make_array(), trend = lattice.make_array(), before = x;
+    over_all_cells(lattice, [&](std::ptrdiff_t at, const std::array<int, 3>& cell) {
+      x[at] = before[at] = std::sin(0.3 * cell[1]);
+      trend[at] = wrong * std::cos(2.9 * cell[0]);
+    });
+    const SolveResult result = solver.solve(ActiveRows(lattice, 1), x, 1e-6, 100, team, &trend);
+    EXPECT_TRUE(result.converged);
+    iterations.push_back(result.iterations);
+    for (std::size_t at = 0; at < x.size(); ++at) EXPECT_EQ(trend[at], x[at] - before[at]);
+  }
+  EXPECT_LE(iterations[1], iterations[0] + 1);
+}
+
 TEST(PressureSolver, SolvesWhatItSays) {
   const Lattice<Solid> lattice({9, 7, 8}, {1, 1, 1});
   auto solver = problem(lattice, 100);

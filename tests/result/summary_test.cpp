@@ -33,6 +33,7 @@ TEST(Summary, HasEveryKeyOfTheContractAndReadsBack) {
                           "bytes_per_point",
                           "point_steps_per_second",
                           "pressure_iterations_per_step",
+                          "volume_iterations_per_step",
                           "state_hash",
                           "overfilled_cells",
                           "flux_balance_error",

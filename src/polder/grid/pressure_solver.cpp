@@ -93,18 +93,18 @@ void PressureSolver<Space>::leave(const std::vector<RowSpan>& now) {
 
 template <class Space>
 SolveResult PressureSolver<Space>::solve(const ActiveRows<Space>& rows, Array& x, double tolerance, int most_iterations,
-                                         Team& team) {
+                                         Team& team, Array* trend) {
   leave(rows.spans);
   if (rows.cell_count < cells_worth_sharing) {
     Team alone(1);
-    return solve_together(rows, x, tolerance, most_iterations, alone);
+    return solve_together(rows, x, tolerance, most_iterations, alone, trend);
   }
-  return solve_together(rows, x, tolerance, most_iterations, team);
+  return solve_together(rows, x, tolerance, most_iterations, team, trend);
 }
 
 template <class Space>
 SolveResult PressureSolver<Space>::solve_together(const ActiveRows<Space>& rows, Array& x, double tolerance,
-                                                  int most_iterations, Team& team) {
+                                                  int most_iterations, Team& team, Array* trend) {
   SolveResult result;
   std::vector<std::ptrdiff_t> all;
   deal_out(rows.spans, team.size(), all);
@@ -120,6 +120,7 @@ SolveResult PressureSolver<Space>::solve_together(const ActiveRows<Space>& rows,
           end = i + 1;
         }
         x[at + i] = active ? x[at + i] : 0;
+        if (trend) (*trend)[at + i] = active ? (*trend)[at + i] : 0;
         right_side[at + i] = active ? right_side[at + i] : 0;
         sum += right_side[at + i] * right_side[at + i];
       }
@@ -135,8 +136,28 @@ SolveResult PressureSolver<Space>::solve_together(const ActiveRows<Space>& rows,
       close_row(x.data(), product_.data(), row);
       POLDER_INDEPENDENT
       for (std::ptrdiff_t i = at; i < at + n; ++i) residual_[i] = right_side[i] - product_[i];
-      return dot(residual_.data() + at, residual_.data() + at, n);
+      const double* other = trend ? trend->data() : residual_.data();
+      return dot(residual_.data() + at, other + at, n);
     });
+    if (trend) {
+      const double tr = rr;
+      const double tq = sum_inside(2, [&](std::ptrdiff_t at, int n, std::ptrdiff_t row) {
+        multiply_row(trend->data(), product_.data(), at, n);
+        close_row(trend->data(), product_.data(), row);
+        return dot(trend->data() + at, product_.data() + at, n);
+      });
+      const double share = tq > 0 ? tr / tq : 0;
+      rr = sum_inside(3, [&](std::ptrdiff_t at, int n, std::ptrdiff_t) {
+        POLDER_INDEPENDENT
+        for (std::ptrdiff_t i = at; i < at + n; ++i) {
+          const double start = x[i];
+          x[i] += share * (*trend)[i];
+          (*trend)[i] = start;
+          residual_[i] -= share * product_[i];
+        }
+        return dot(residual_.data() + at, residual_.data() + at, n);
+      });
+    }
     const double goal = tolerance * tolerance * bb + 1e-40;
     int iterations = 0;
     double rz = 0, scale = 1 / std::sqrt(rr);
@@ -176,6 +197,11 @@ SolveResult PressureSolver<Space>::solve_together(const ActiveRows<Space>& rows,
         return dot(residual_.data() + at, residual_.data() + at, n);
       });
     }
+    if (trend)
+      sum_inside(2, [&](std::ptrdiff_t at, int n, std::ptrdiff_t) {
+        for (std::ptrdiff_t i = at; i < at + n; ++i) (*trend)[i] = x[i] - (*trend)[i];
+        return 0.0;
+      });
     if (rank == 0) {
       result.iterations = iterations;
       result.residual = bb > 0 ? std::sqrt(rr / bb) : 0;

@@ -20,12 +20,15 @@ class PressureSolver {
 
   /// Solves matrix · x = right_side from the x given, to a residual of `tolerance`·‖right_side‖, in the rows given,
   /// where the caller has filled matrix and right side; elsewhere x is 0 and the matrix empty. Cells outside the system
-  /// end with x = 0.
-  SolveResult solve(const ActiveRows<Space>& rows, Array& x, double tolerance, int most_iterations, Team& team);
+  /// end with x = 0. With a `trend` the multiple of it is added first that comes closest to the solution (in the
+  /// matrix's norm); afterwards it is by what x has changed: where solutions follow each other steadily, the next
+  /// change.
+  SolveResult solve(const ActiveRows<Space>& rows, Array& x, double tolerance, int most_iterations, Team& team,
+                    Array* trend = nullptr);
 
  private:
-  SolveResult solve_together(const ActiveRows<Space>& rows, Array& x, double tolerance, int most_iterations,
-                             Team& team);
+  SolveResult solve_together(const ActiveRows<Space>& rows, Array& x, double tolerance, int most_iterations, Team& team,
+                             Array* trend);
   void leave(const std::vector<RowSpan>& now);  // empties the matrix where it was filled once, but is no longer
   void multiply_row(const double* x, double* y, std::ptrdiff_t at, std::ptrdiff_t n) const;
   void close_row(const double* x, double* y, std::ptrdiff_t row) const;

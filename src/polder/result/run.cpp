@@ -242,6 +242,7 @@ class Run {
     s.point_steps_per_second = point_steps_ / std::max(wall, 1e-9);
     const auto steps = static_cast<double>(std::max<std::uint64_t>(audit.steps, 1));
     s.pressure_iterations_per_step = static_cast<double>(audit.pressure_iterations) / steps;
+    s.volume_iterations_per_step = static_cast<double>(audit.volume_iterations) / steps;
     s.state_hash = hash_text(hash_of(*simulation_));
     s.overfilled_cells = audit.overfilled_most;
     s.flux_balance_error = audit.flux_balance_error();

@@ -40,6 +40,7 @@ nlohmann::ordered_json summary_json(const Summary& s) {
   json["bytes_per_point"] = s.bytes_per_point;
   json["point_steps_per_second"] = s.point_steps_per_second;
   json["pressure_iterations_per_step"] = s.pressure_iterations_per_step;
+  json["volume_iterations_per_step"] = s.volume_iterations_per_step;
   json["state_hash"] = s.state_hash;
   json["overfilled_cells"] = s.overfilled_cells;
   json["flux_balance_error"] = s.flux_balance_error;

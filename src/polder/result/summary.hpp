@@ -25,7 +25,7 @@ struct Summary {
   std::uint64_t soil_points = 0, water_points = 0, cells = 0;
   double bytes_per_point = 0;  ///< B
   double point_steps_per_second = 0;
-  double pressure_iterations_per_step = 0;
+  double pressure_iterations_per_step = 0, volume_iterations_per_step = 0;
   std::string state_hash;                ///< hash_text of state_hash
   double overfilled_cells = 0;           ///< share of wet cells with fill above 1.05
   double flux_balance_error = 0;         ///< boundary flux integrated from grid velocities against the points' balance

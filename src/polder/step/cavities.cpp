@@ -157,7 +157,8 @@ SolveResult solve_with_cavities(const Setup<Space>& setup, GridFields<Space>& gr
   SolveResult result;
   for (int round = 0; round < most_rounds; ++round) {
     equations.hold(held);
-    const SolveResult last = solver.solve(grid.rows, grid.pressure, setup.numerics.pressure_tolerance, 400, team);
+    const SolveResult last = solver.solve(grid.rows, grid.pressure, setup.numerics.pressure_tolerance, 400, team,
+                                          round == 0 ? &grid.pressure_trend : nullptr);
     result = {result.iterations + last.iterations, last.residual, last.converged};
     // each of them may be let go once, so that the search ends
     const Cells closed = both(equations.closed(grid), may_close);

@@ -6,9 +6,10 @@ namespace polder {
 
 template <class Space>
 void GridFields<Space>::activate(const Lattice<Space>& lattice, ActiveRows<Space> now) {
-  std::vector<Array*> zero{&solid_volume,      &soil_cell_mass,    &linear_drag[0],  &linear_drag[1],
-                           &quadratic_drag[0], &quadratic_drag[1], &water_volume,    &fill,
-                           &pressure,          &potential,         &saturated_solid, &carried_volume};
+  std::vector<Array*> zero{&solid_volume,      &soil_cell_mass,    &linear_drag[0], &linear_drag[1],
+                           &quadratic_drag[0], &quadratic_drag[1], &water_volume,   &fill,
+                           &pressure,          &pressure_trend,    &potential,      &potential_trend,
+                           &saturated_solid,   &carried_volume};
   for (auto* faces :
        {&soil_mass, &soil_velocity, &soil_force, &soil_before, &water_mass, &water_velocity, &relative_flux,
         &water_before, &carried_mass, &discharge, &soil_response, &water_response, &mobility, &shift})

@@ -47,7 +47,9 @@ struct GridFields {
         cell_porosity(lattice.make_array()),
         fill(lattice.make_array()),
         pressure(lattice.make_array()),
+        pressure_trend(lattice.make_array()),
         potential(lattice.make_array()),
+        potential_trend(lattice.make_array()),
         owed(lattice.make_array()),
         wet(static_cast<std::size_t>(lattice.size), 0) {
     for (auto* flags : {&reached, &layers[0], &layers[1], &shift_layers[0], &shift_layers[1], &soil_known})
@@ -89,12 +91,14 @@ struct GridFields {
   std::array<Array, 2> quadratic_drag;  ///< Σ V b(n), kg/m
   Array water_volume;                   ///< m³, by overlap
   Array cell_porosity;
-  Array fill;       ///< F = water volume / pore volume
-  Array pressure;   ///< Pa, kept from step to step
-  Array potential;  ///< ψ of the volume correction, m²
-  Array owed;       ///< m³ that came in through open sides and is not yet in points; by the cell beyond the side
-  Array spare;      ///< m³ that soil points have given and that is not yet in points, or < 0; single-point, else empty
-  Array rain;       ///< m³ that has fallen and is not yet in points, by column; without rain empty
+  Array fill;             ///< F = water volume / pore volume
+  Array pressure;         ///< Pa, kept from step to step
+  Array pressure_trend;   ///< its change by the last solve, Pa
+  Array potential;        ///< ψ of the volume correction, m²
+  Array potential_trend;  ///< that of the last solve
+  Array owed;             ///< m³ that came in through open sides and is not yet in points; by the cell beyond the side
+  Array spare;  ///< m³ that soil points have given and that is not yet in points, or < 0; single-point, else empty
+  Array rain;   ///< m³ that has fallen and is not yet in points, by column; without rain empty
   /// Of absorbing sides, without them empty: N and Pa that hold their faces at rest.
   FaceField<Space> far_force;
   Array far_pressure;                  ///< in the cells beyond

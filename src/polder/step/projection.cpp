@@ -265,7 +265,7 @@ SolveResult correct_volume(const Setup<Space>& setup, GridFields<Space>& grid, P
       solver.right_side[cell] *= std::max(0.0, 1 - grid.carried_volume[cell] / grid.water_volume[cell]);
   for (const std::ptrdiff_t cell : grid.cavities)  // a void is not to be filled from around it
     solver.right_side[cell] = std::max(0.0, solver.right_side[cell]);
-  const SolveResult result = solver.solve(grid.rows, grid.potential, 1e-2, 60, team);
+  const SolveResult result = solver.solve(grid.rows, grid.potential, 5e-3, 60, team, &grid.potential_trend);
   join_ends(grid.potential, setup.water_box, lattice);
 
   by_spacing(lattice, [&]<bool graded>() {

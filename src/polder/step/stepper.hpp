@@ -61,6 +61,8 @@ class Stepper {
     water.each_array(
         [&](const char* name, int c, auto& a) { archive("water/" + std::string(name) + std::to_string(c), a); });
     archive("grid/pressure", grid.pressure);
+    archive("grid/pressure_trend", grid.pressure_trend);
+    archive("grid/potential_trend", grid.potential_trend);
     for (int c = 0; c < Space::axes; ++c) archive("grid/relative_flux" + std::to_string(c), grid.relative_flux[c]);
     if (!setup.open_sides.empty()) archive("grid/owed", grid.owed);
     if (!setup.rains.empty()) archive("grid/rain", grid.rain);
