@@ -95,7 +95,6 @@ template <class Space, class Body>
 void over_mirrors(int component, bool motion, const PhaseBox& box, const Lattice<Space>& lattice,
                   const MirrorShare& share, Body&& body) {
   for (int axis = 0; axis < Space::axes; ++axis) {
-    if (!share.has(axis)) continue;
     const bool normal = component == axis;
     const std::ptrdiff_t s = lattice.stride[axis], origin = Lattice<Space>::ghost_low * s;
     for (int side = 0; side < 2; ++side) {

@@ -15,63 +15,81 @@ namespace {
 constexpr double largest = 1e300;  // beyond it nothing is finite for long
 constexpr double least_content = 1e-300;
 
-bool within(double v, double low, double high) { return v >= low && v <= high; }
-
-template <class Space, class Points>
-std::string place_of(const Points& points, std::size_t p, const char* phase) {
-  std::string place = fmt::format("{} point {} at (", phase, points.id[p]);
-  for (int a = 0; a < Space::axes; ++a) place += fmt::format("{}{:.4g}", a == 0 ? "" : ", ", points.position[a][p]);
-  return place + ")";
-}
-
-/// Looks through one array; `what` says what is wrong with a value outside [low, high].
-template <class Space, class Points>
-std::string outside(const Points& points, const char* phase, const Array& values, double low, double high,
-                    const char* what) {
-  if (all_within(values.data(), static_cast<std::ptrdiff_t>(values.size()), low, high)) return {};
-  const auto bad = std::find_if(values.begin(), values.end(), [&](double v) { return !within(v, low, high); });
-  const auto p = static_cast<std::size_t>(bad - values.begin());
-  return fmt::format("{}: {} ({:.4g})", place_of<Space>(points, p, phase), what, *bad);
-}
-
-struct Range {
+/// What the values of an array must lie between.
+struct Bounds {
   const Array* values;
   double low, high;
+  bool of_soil;
+  const char* what;  ///< it says of a point outside
 };
 
-/// Whether all values of all arrays are in their ranges, looked through by all threads.
-bool all_within_ranges(const std::vector<Range>& ranges, Team& team) {
-  std::atomic<bool> good = true;
-  team.run([&](int rank) {
-    for (const Range& range : ranges) {
-      const auto [begin, end] = team.part(static_cast<std::ptrdiff_t>(range.values->size()), rank);
-      if (!all_within(range.values->data() + begin, end - begin, range.low, range.high)) good = false;
-    }
-  });
-  return good;
+template <class Space>
+std::vector<Bounds> bounds_of_positions(const Stepper<Space>& state) {
+  std::vector<Bounds> all;
+  for (const bool soil : {true, false})
+    for (int a = 0; a < Space::axes; ++a)
+      all.push_back({soil ? &state.soil.position[a] : &state.water.position[a], 0, state.setup.lattice.length(a), soil,
+                     "it has left the model, or its position is not finite"});
+  return all;
 }
 
-template <class Space, class Points>
-std::string escaped(const Lattice<Space>& lattice, const Points& points, const char* phase) {
+/// Those that the step does not look at itself while it moves the points.
+template <class Space>
+std::vector<Bounds> bounds_after_step(const Stepper<Space>& state) {
+  std::vector<Bounds> all = bounds_of_positions(state);
+  all.push_back({&state.water.volume, least_content, largest, false, "its volume is not positive"});
+  return all;
+}
+
+template <class Space>
+std::vector<Bounds> all_bounds(const Stepper<Space>& state) {
+  const auto& soil = state.soil;
+  std::vector<Bounds> all;
   for (int a = 0; a < Space::axes; ++a) {
-    std::string found = outside<Space>(points, phase, points.position[a], 0, lattice.length(a),
-                                       "it has left the model, or its position is not finite");
+    all.push_back({&soil.velocity[a], -largest, largest, true, "its velocity is not finite"});
+    all.push_back({&state.water.velocity[a], -largest, largest, false, "its velocity is not finite"});
+  }
+  all.push_back(
+      {&soil.porosity, possible_porosity[0], possible_porosity[1], true, "its porosity is not between 0 and 1"});
+  for (const Array& s : soil.stress) all.push_back({&s, -largest, largest, true, "its stress is not finite"});
+  all.push_back({&soil.mass, least_content, largest, true, "its mass is not positive"});
+  for (const Bounds& bounds : bounds_after_step(state)) all.push_back(bounds);
+  return all;
+}
+
+/// The first point whose values are not within the bounds, as a text; empty if there is none.
+template <class Points>
+std::string outside(const Points& points, const Bounds& bounds) {
+  const Array& values = *bounds.values;
+  if (all_within(values.data(), static_cast<std::ptrdiff_t>(values.size()), bounds.low, bounds.high)) return {};
+  const auto bad =
+      std::find_if(values.begin(), values.end(), [&](double v) { return !(v >= bounds.low && v <= bounds.high); });
+  const auto p = static_cast<std::size_t>(bad - values.begin());
+  std::string place;
+  for (const Array& x : points.position) place += fmt::format("{}{:.4g}", place.empty() ? "" : ", ", x[p]);
+  return fmt::format("{} point {} at ({}): {} ({:.4g})", bounds.of_soil ? "soil" : "water", points.id[p], place,
+                     bounds.what, *bad);
+}
+
+template <class Space>
+std::string first_outside(const Stepper<Space>& state, const std::vector<Bounds>& all) {
+  for (const Bounds& bounds : all) {
+    std::string found = bounds.of_soil ? outside(state.soil, bounds) : outside(state.water, bounds);
     if (!found.empty()) return found;
   }
   return {};
 }
 
-template <class Space, class Points>
-std::string unsound_motion(const Lattice<Space>& lattice, const Points& points, const char* phase) {
-  for (const Array& v : points.velocity)
-    if (auto found = outside<Space>(points, phase, v, -largest, largest, "its velocity is not finite"); !found.empty())
-      return found;
-  return escaped(lattice, points, phase);
-}
-
-template <class Space>
-std::string unsound_volume(const WaterPoints<Space>& water) {
-  return outside<Space>(water, "water", water.volume, least_content, largest, "its volume is not positive");
+/// Whether everything is within its bounds, looked through by all threads.
+bool all_within_bounds(const std::vector<Bounds>& all, Team& team) {
+  std::atomic<bool> good = true;
+  team.run([&](int rank) {
+    for (const Bounds& bounds : all) {
+      const auto [begin, end] = team.part(static_cast<std::ptrdiff_t>(bounds.values->size()), rank);
+      if (!all_within(bounds.values->data() + begin, end - begin, bounds.low, bounds.high)) good = false;
+    }
+  });
+  return good;
 }
 
 /// Cells of the points' homes must be in the grid, in ascending order, and near where the points are.
@@ -115,34 +133,19 @@ std::string flaw_of_indices(const Stepper<Space>& state) {
 
 template <class Space>
 std::string escaped_point(const Stepper<Space>& state) {
-  std::string found = escaped(state.setup.lattice, state.soil, "soil");
-  return found.empty() ? escaped(state.setup.lattice, state.water, "water") : found;
+  return first_outside(state, bounds_of_positions(state));
 }
 
 template <class Space>
 std::string unsound_point(const Stepper<Space>& state) {
-  const auto& soil = state.soil;
-  const auto& water = state.water;
-  std::string found = unsound_motion(state.setup.lattice, soil, "soil");
-  if (found.empty()) found = unsound_motion(state.setup.lattice, water, "water");
-  if (found.empty())
-    found = outside<Space>(soil, "soil", soil.porosity, possible_porosity[0], possible_porosity[1],
-                           "its porosity is not between 0 and 1");
-  for (const Array& s : soil.stress)
-    if (found.empty()) found = outside<Space>(soil, "soil", s, -largest, largest, "its stress is not finite");
-  if (found.empty())
-    found = outside<Space>(soil, "soil", soil.mass, least_content, largest, "its mass is not positive");
-  return found.empty() ? unsound_volume<Space>(water) : found;
+  return first_outside(state, all_bounds(state));
 }
 
 template <class Space>
 std::string unsound_point_after_step(const Stepper<Space>& state, Team& team) {
-  if (state.unsaturated || !state.motion.sound) return unsound_point(state);
-  std::vector<Range> ranges{{&state.water.volume, least_content, largest}};
-  for (int a = 0; a < Space::axes; ++a)
-    for (const Array* x : {&state.soil.position[a], &state.water.position[a]})
-      ranges.push_back({x, 0, state.setup.lattice.length(a)});
-  return all_within_ranges(ranges, team) ? std::string{} : unsound_point(state);
+  const bool looked_at = !state.unsaturated && state.motion.sound;
+  const bool good = all_within_bounds(looked_at ? bounds_after_step(state) : all_bounds(state), team);
+  return good ? std::string{} : unsound_point(state);
 }
 
 template <class Space>
@@ -154,7 +157,7 @@ std::string flaw_of(Stepper<Space>& state, bool sorted) {
   if (flaw.empty()) flaw = unsound_point(state);
   if (flaw.empty()) flaw = flaw_of_indices(state);
   for (const Array& e : water.elongation)
-    if (flaw.empty()) flaw = outside<Space>(water, "water", e, -1, 1e3, "its box has no such shape");
+    if (flaw.empty()) flaw = outside(water, {&e, -1, 1e3, false, "its box has no such shape"});
   if (flaw.empty() && sorted) flaw = flaw_of_homes(state.setup.lattice, soil, "soil");
   if (flaw.empty() && sorted) flaw = flaw_of_homes(state.setup.lattice, water, "water");
   return flaw;
