@@ -13,6 +13,8 @@ namespace polder {
 template <class Space>
 using FaceFlags = std::array<AlignedVector<std::uint8_t>, static_cast<std::size_t>(Space::axes)>;
 
+inline constexpr std::uint8_t film_face = 2;
+
 /// Where a field is known after one layer of extrapolation, and after two.
 template <class Space>
 using Layers = std::array<FaceFlags<Space>, 2>;
@@ -79,7 +81,7 @@ struct GridFields {
   FaceField<Space> soil_response, water_response;  ///< dv/d(∇p), m/s per Pa/m
   FaceField<Space> mobility;                       ///< β_f = −(n dv_w + (1−n) dv_s)/d(∇p)
   FaceField<Space> shift;                          ///< m, correction of the water's positions
-  FaceFlags<Space> reached;                        ///< 1: a wet cell beside the face
+  FaceFlags<Space> reached;                        ///< 1: a wet cell beside the face; film_face: a film on it
 
   // in cells
   Array soil_sums;                      ///< the next and the horizontal drag side by side while points write, 4 a cell

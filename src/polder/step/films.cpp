@@ -49,7 +49,7 @@ void spread_films(const Setup<Space>& setup, const StepControl& control, double 
           if (setup.bodies.open_cell(low) < 1 || setup.bodies.open_cell(high) < 1) continue;  // no level floor
           if (!rests(low) && !rests(high)) continue;
           if (wet[high] ? wet[high + over] || !rests(low) : wet[low] && (wet[low + over] || !rests(high))) continue;
-          reached[f] = 1;  // and the pressure of deeper water leaves it alone
+          reached[f] = film_face;  // and the pressure of deeper water leaves it alone
           mobility[f] = 0;
           velocity[f] -= dt * g * (height(high) - height(low)) * metric.width(up, i) * metric.inverse_gap(c, i);
         }

@@ -71,7 +71,8 @@ void add_heads(const Setup<Space>& setup, const GridFields<Space>& grid, Distanc
 }
 
 /// Carries a face field `layers` (1 or 2) layers beyond the faces where `known` is not 0, by the mean of the known
-/// neighbours on the same side of thin walls. Returns where the field is known then.
+/// neighbours on the same side of thin walls. A film's velocity is carried up, and along it to faces without water of
+/// their own: what has momentum would gain by it. Returns where the field is known then.
 template <class Space>
 const FaceFlags<Space>& spread(const Lattice<Space>& lattice, const ThinWalls<Space>& walls,
                                const FaceFlags<Space>& known, int layers, FaceField<Space>& field,
@@ -87,6 +88,7 @@ const FaceFlags<Space>& spread(const Lattice<Space>& lattice, const ThinWalls<Sp
     over_all_face_rows(lattice, grid.rows, team, [&](int c, std::ptrdiff_t first, int count, const auto& place) {
       const std::uint8_t* before = (*reached)[c].data();
       std::uint8_t* after = scratch[layer][c].data();
+      const double* water_mass = grid.water_mass[c].data();
       double* v = field[c].data();
       for (int i = 0; i < count; ++i) {
         const std::ptrdiff_t f = first + i;
@@ -106,14 +108,20 @@ const FaceFlags<Space>& spread(const Lattice<Space>& lattice, const ThinWalls<Sp
         const int at[3] = {place[0] + i, place[1], place[2]};
         double sum = 0;
         int number = 0;
+        std::uint8_t kind = film_face;
+        const auto take = [&](int a, std::ptrdiff_t from) {
+          if (before[from] == film_face && a != Space::up && water_mass[f] > 0) return;
+          sum += v[from], ++number;
+          if (before[from] != film_face) kind = 1;
+        };
         for (int a = 0; a < Space::axes; ++a) {
           const std::ptrdiff_t s = lattice.stride[a];
-          if (at[a] > 0 && before[f - s] && linked(c, a, f - s)) sum += v[f - s], ++number;
-          if (at[a] < lattice.cells[a] - (a != c) && before[f + s] && linked(c, a, f)) sum += v[f + s], ++number;
+          if (at[a] > 0 && before[f - s] && linked(c, a, f - s)) take(a, f - s);
+          if (at[a] < lattice.cells[a] - (a != c) && before[f + s] && linked(c, a, f)) take(a, f + s);
         }
         if (number == 0) continue;
         v[f] = sum / number;
-        after[f] = 1;
+        after[f] = kind;
       }
     });
     reached = &scratch[layer];
