@@ -6,6 +6,7 @@
 // come and go as bodies move, and where what is in them must be counted, cells that are covered by half count as
 // covered and what is left open of them belongs to the most open cell beside them, so that no volume is lost.
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <utility>
 #include <vector>
@@ -59,6 +60,10 @@ class Bodies {
   bool covered(std::ptrdiff_t cell) const { return any() && cell_[cell] == 0; }
   /// A body in the block of cells around this one.
   bool near(std::ptrdiff_t cell) const { return any() && near_[cell] != 0; }
+  /// The same for `count` cells that follow each other along x: whether there is none.
+  bool far_from(std::ptrdiff_t cell, int count) const {
+    return !any() || std::memchr(&near_[cell], 1, static_cast<std::size_t>(count)) == nullptr;
+  }
   /// Where the content of a covered cell belongs: the most open cell around it.
   std::ptrdiff_t open_neighbour(std::ptrdiff_t cell) const { return any() ? cell + toward_open_[cell] : cell; }
 

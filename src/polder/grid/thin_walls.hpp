@@ -7,6 +7,7 @@
 // component normal to the wall and, at a rough one, the tangential ones too. So no node is needed twice, and reading
 // stays the transpose of writing. What a point sees depends only on its cell: the cells of the 3 × 3 (× 3) around it
 // that are reached step by step without crossing a wall; around the end of a wall the two sides meet.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -49,6 +50,11 @@ class ThinWalls {
   bool any() const { return any_; }
   /// Whether nothing crosses this face; false everywhere without walls.
   bool blocked(int axis, std::ptrdiff_t face) const { return any_ && faces_[axis][face] != 0; }
+  /// Whether none of `count` faces that follow each other along x is blocked.
+  bool open(int axis, std::ptrdiff_t face, int count) const {
+    const std::uint8_t* kind = &faces_[axis][face];
+    return !any_ || std::all_of(kind, kind + count, [](std::uint8_t k) { return k == 0; });
+  }
   /// The stencil of a cell beside a wall, or nullptr.
   const WallStencil<Space>* beside(std::ptrdiff_t cell) const {
     return any_ && stencil_of_[cell] >= 0 ? &stencils_[static_cast<std::size_t>(stencil_of_[cell])] : nullptr;

@@ -7,15 +7,18 @@
 
 namespace polder {
 
+inline constexpr std::size_t many_points = 100000;  // that do not fit the processor's caches
+
 /// What comes after a chunk, so that its memory can be asked for in time: a kernel walks along twenty arrays and some
 /// ten fields of the grid, more than the processor's own guesses follow. Asked for into the second level of its caches:
-/// the first is too small for what is worked on and what comes next.
+/// the first is too small for what is worked on and what comes next. Nothing is asked for where all fits the caches.
 template <class Space>
 class Upcoming {
  public:
   /// After points [first, first + count) of those with these homes.
   Upcoming(const Lattice<Space>& lattice, const AlignedVector<std::int32_t>& home, std::size_t first, int count)
-      : next_(first + static_cast<std::size_t>(count)) {
+      : next_(first + static_cast<std::size_t>(count)), far_(home.size() >= many_points) {
+    if (!far_) return;
     // The rows of the tile in which the points are that come a tile later, as far as the next chunk is into it.
     constexpr std::size_t ahead = std::size_t{in_tile} << Space::axes;
     if (next_ + ahead >= home.size()) return;
@@ -30,6 +33,7 @@ class Upcoming {
   /// Points: one array or several.
   template <class... Arrays>
   [[gnu::always_inline]] void ask_for_points(const Arrays&... arrays) const {
+    if (!far_) return;
     const auto ask = [this](const Array& array) {
       for (std::size_t i = 0; i < chunk_size; i += line) __builtin_prefetch(array.data() + next_ + i, 0, second_level);
     };
@@ -66,6 +70,7 @@ class Upcoming {
   }
 
   std::size_t next_;
+  bool far_;  // memory from the processor
   std::int32_t tile_ = 0;
   int first_row_ = 0, end_row_ = 0;
   std::ptrdiff_t corner_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "polder/math/simd.hpp"
 #include "polder/step/face_loop.hpp"
@@ -46,6 +47,8 @@ FaceState couple(double water, double soil, double Mw, double Ms, double C, doub
 struct FaceArrays {
   const double *soil_mass, *water_mass, *force, *flux, *linear_drag, *quadratic_drag;
   double *soil, *water, *porosity, *soil_response, *water_response, *mobility, *soil_before, *water_before;
+  const std::uint8_t* wet;  // of cells, as the next
+  const double *solid_volume, *cell_porosity;
 };
 
 /// Of all faces of a component that lie between two cells.
@@ -56,36 +59,7 @@ struct FaceConstants {
 
 constexpr int block = 8;
 
-/// Most faces: eight side by side between wet cells of saturated soil, no wall near. As the loop of predict_faces()
-/// does it, without its cases.
-void predict_block(const FaceArrays& at, std::ptrdiff_t first, std::ptrdiff_t step, const FaceConstants& k) {
-  POLDER_INDEPENDENT
-  for (std::ptrdiff_t f = first; f < first + block; ++f) {
-    const double ms = at.soil_mass[f], mw = at.water_mass[f];
-    const double n = std::max(0.2, 1 - ms / k.full_of_grains);
-    double soil = at.soil[f] / ms;
-    at.soil_before[f] = soil;
-    double water = mw * k.inverse_volume > water_present * k.water_density ? at.water[f] / mw : soil;
-    at.water_before[f] = water;
-    soil = (soil + k.dt * at.force[f] / std::max(ms, force_floor * k.full_of_grains) - k.fall) * k.soil_kept;
-    water = (water - k.fall) * k.water_kept;
-    const double linear = 0.5 * (at.linear_drag[f - step] + at.linear_drag[f]);
-    const double quadratic = 0.5 * (at.quadratic_drag[f - step] + at.quadratic_drag[f]);
-    const double o = k.dt * n * n * (linear + quadratic * at.flux[f]) * k.inverse_volume;
-    const double Mw = n * k.water_density, Ms = ms * k.inverse_volume;
-    const double a = Mw + o, b = Ms + o, inverse = 1 / (Mw * Ms + o * (Mw + Ms));
-    const double rw = Mw * water, rs = Ms * soil, ew = k.dt * n, es = k.dt * (1 - n);
-    const double water_response = -(b * ew + o * es) * inverse, soil_response = -(a * es + o * ew) * inverse;
-    at.porosity[f] = n;
-    at.water[f] = (b * rw + o * rs) * inverse;
-    at.soil[f] = (a * rs + o * rw) * inverse;
-    at.water_response[f] = water_response;
-    at.soil_response[f] = soil_response;
-    at.mobility[f] = -(n * water_response + (1 - n) * soil_response);
-  }
-}
-
-/// Likewise eight side by side between wet cells, and no soil near.
+/// Eight side by side between wet cells, no soil and no wall near.
 void predict_water_block(const FaceArrays& at, std::ptrdiff_t first, const FaceConstants& k) {
   const double least = water_present * k.water_density / k.inverse_volume, response = -k.dt / k.water_density;
   POLDER_INDEPENDENT
@@ -101,6 +75,58 @@ void predict_water_block(const FaceArrays& at, std::ptrdiff_t first, const FaceC
   }
 }
 
+/// Four side by side of any kind, no wall near: all cases of the loop in predict_faces() at once.
+void predict_four(const FaceArrays& at, std::ptrdiff_t f, std::ptrdiff_t step, const FaceConstants& k) {
+  const Vec4 zero = splat4(0), one = splat4(1);
+  const auto flags = [&](std::ptrdiff_t cell) {
+    const std::uint8_t* wet = at.wet + cell;
+    return Vec4{1.0 * wet[0], 1.0 * wet[1], 1.0 * wet[2], 1.0 * wet[3]};
+  };
+  const Vec4 low = flags(f - step), high = flags(f), any = low + high, one_wet = (low - high) * (low - high);
+  const Vec4 ms = load4(at.soil_mass + f), mw = load4(at.water_mass + f);
+  const Vec4 has_soil = ms > soil_present * k.full_of_grains ? one : zero;
+  const Vec4 something = any + ms + mw > zero ? one : zero;
+
+  const Vec4 solid_low = load4(at.solid_volume + f - step), solid_high = load4(at.solid_volume + f);
+  const Vec4 in_wet = low * solid_low + high * solid_high, in_dry = solid_low + solid_high - in_wet;
+  const Vec4 ends = one_wet * max4(zero, one - in_dry / max4(in_wet, splat4(1e-300)));
+  const Vec4 n_wet = low * load4(at.cell_porosity + f - step) + high * load4(at.cell_porosity + f);
+  const Vec4 n_all = max4(splat4(0.2), one - ms / k.full_of_grains), n = n_all + ends * (n_wet - n_all);
+  const Vec4 filled = min4(one, mw * k.inverse_volume / (k.water_density * n));
+  const Vec4 S = max4(filled, low * high + one_wet * least_saturation);
+
+  const Vec4 soil_before = has_soil * load4(at.soil + f) / max4(ms, splat4(1e-300));
+  const Vec4 water_before = mw * k.inverse_volume > splat4(water_present * k.water_density)
+                                ? load4(at.water + f) / max4(mw, splat4(1e-300))
+                                : soil_before;
+  const Vec4 push = k.dt * load4(at.force + f) / max4(ms, splat4(force_floor * k.full_of_grains)) - k.fall;
+  const Vec4 soil = (soil_before + push) * k.soil_kept, water = (water_before - k.fall) * k.water_kept;
+
+  const Vec4 of_low = 0.5 * (one + (low - high) * ends);
+  const auto drag = [&](const double* cells) {
+    return of_low * load4(cells + f - step) + (one - of_low) * load4(cells + f);
+  };
+  const Vec4 o =
+      k.dt * n * n * (drag(at.linear_drag) + drag(at.quadratic_drag) * load4(at.flux + f)) * k.inverse_volume * S;
+  const Vec4 Mw = n * k.water_density * max4(S, splat4(1e-6)), Ms = max4(ms * k.inverse_volume, splat4(1e-9));
+  const Vec4 a = Mw + o, b = Ms + o, inverse = one / (Mw * Ms + o * (Mw + Ms));
+  const Vec4 rw = Mw * water, rs = Ms * soil, ew = k.dt * n * S, es = k.dt * (one - n) * S;
+  const Vec4 grains_alone = any + max4(zero, filled - water_present) > zero ? zero : one, both = one - grains_alone;
+
+  const Vec4 water_response =
+      -has_soil * both * (b * ew + o * es) * inverse - (one - has_soil) * something * k.dt / k.water_density;
+  const Vec4 soil_response = -has_soil * (both * (a * es + o * ew) * inverse + grains_alone * es / b);
+  store4(at.porosity + f, n);
+  store4(at.soil_before + f, soil_before);
+  store4(at.water_before + f, something * water_before);
+  store4(at.water + f,
+         has_soil * (grains_alone * soil + both * (b * rw + o * rs) * inverse) + (one - has_soil) * something * water);
+  store4(at.soil + f, has_soil * (grains_alone * soil + both * (a * rs + o * rw) * inverse));
+  store4(at.water_response + f, water_response);
+  store4(at.soil_response + f, soil_response);
+  store4(at.mobility + f, -(n * water_response + (one - n) * soil_response));
+}
+
 /// Eight side by side that nothing has reached.
 void clear_block(const FaceArrays& at, std::ptrdiff_t first) {
   for (double* field :
@@ -113,12 +139,6 @@ bool all_zero(const double* value) {
   double sum = 0;
   for (int i = 0; i < block; ++i) sum += std::abs(value[i]);
   return sum == 0;
-}
-
-bool all_above(const double* value, double bound) {
-  bool above = true;
-  for (int i = 0; i < block; ++i) above = above && value[i] > bound;
-  return above;
 }
 
 /// Pa s/m over m: the dashpots of absorbing sides beside a cell against motion along them, per volume.
@@ -188,13 +208,30 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
     std::uint8_t* reached = grid.reached[c].data();
 
     const bool plain = one_material && !all_fixed && !setup.single_point && (vertical || !control.hold_water) &&
-                       !opening[0] && !opening[1] && !setup.walls.any() && !setup.bodies.any() && !far_field &&
-                       !lattice.graded;
-    const auto free = [&](int place) {  // of the walls that close this component's faces
-      return place > std::max(0, setup.soil_box.low[c]) && place < std::min(lattice.cells[c], setup.soil_box.high[c]);
+                       !far_field && !control.body_force && !lattice.graded;
+    const auto free = [&](int place) {  // of the sides that hold soil
+      return place > setup.soil_box.low[c] && place < setup.soil_box.high[c];
     };
-    const FaceArrays arrays{soil_mass, water_mass, force, flux, linear_drag, quadratic_drag, vs,
-                            vw,        porosity,   rs,    rw,   beta,        before,         water_before};
+    const auto alone = [&](std::ptrdiff_t first, int run) {  // without walls and bodies
+      return setup.walls.open(c, first, run) && setup.bodies.far_from(first, run);
+    };
+    const FaceArrays arrays{soil_mass,
+                            water_mass,
+                            force,
+                            flux,
+                            linear_drag,
+                            quadratic_drag,
+                            vs,
+                            vw,
+                            porosity,
+                            rs,
+                            rw,
+                            beta,
+                            before,
+                            water_before,
+                            grid.wet.data(),
+                            grid.solid_volume.data(),
+                            grid.cell_porosity.data()};
     const FaceConstants constants{dt,
                                   1 / cell_volume,
                                   rho_s0 * cell_volume,
@@ -208,28 +245,28 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
         const RowMetric<Space, graded> metric(lattice, at);
         for (int i = 0; i < count; ++i) {
           const std::ptrdiff_t f = first + i, low = f - s;
-          if (plain && i + block <= count && (c == 0 ? free(at[0] + i) && free(at[0] + i + block - 1) : free(at[c]))) {
-            const std::uint64_t wet = eight(&grid.wet[f]), wet_below = eight(&grid.wet[low]);
-            bool done = false;
-            if (wet == eight_set && wet_below == eight_set) {
-              if (all_above(soil_mass + f, soil_present * constants.full_of_grains)) {
-                predict_block(arrays, f, s, constants);
-                done = true;
-              } else if (all_zero(soil_mass + f)) {
+          const int place = c == 0 ? at[0] + i : at[c];
+          if (plain && i + 4 <= count && place > 0) {
+            const int run = i + block <= count ? block : 4, last = c == 0 ? place + run - 1 : place;
+            bool done = last < lattice.cells[c] && alone(f, run);
+            if (done) {
+              const std::uint64_t wet = eight(&grid.wet[f]), wet_below = eight(&grid.wet[low]);
+              const bool full = wet == eight_set && wet_below == eight_set, whole = run == block;
+              if (whole && full && all_zero(soil_mass + f))
                 predict_water_block(arrays, f, constants);
-                done = true;
-              }
-            } else if ((wet | wet_below) == 0 && all_zero(soil_mass + f) && all_zero(water_mass + f)) {
-              clear_block(arrays, f);
-              done = true;
+              else if (whole && (wet | wet_below) == 0 && all_zero(soil_mass + f) && all_zero(water_mass + f))
+                clear_block(arrays, f);
+              else if (!free(place) || !free(last))
+                done = false;
+              else
+                for (int part = 0; part < run; part += 4) predict_four(arrays, f + part, s, constants);
             }
             if (done) {
-              std::fill_n(reached + f, block, static_cast<std::uint8_t>(wet != 0));
-              i += block - 1;
+              for (int j = 0; j < run; ++j) reached[f + j] = grid.wet[low + j] | grid.wet[f + j];
+              i += run - 1;
               continue;
             }
           }
-          const int place = c == 0 ? at[0] + i : at[c];
           const bool end = !joined && (place == 0 || place == lattice.cells[c]);
           const bool wall = end || setup.shut(c, f);
           const bool both_wet = grid.wet[low] && grid.wet[f], beside_wet = grid.wet[low] || grid.wet[f];

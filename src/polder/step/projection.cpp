@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "polder/math/simd.hpp"
 #include "polder/step/cavities.hpp"
 #include "polder/step/face_loop.hpp"
 #include "polder/step/far_field.hpp"
@@ -135,8 +136,11 @@ template <class Space>
 void extrapolate_soil(const Setup<Space>& setup, GridFields<Space>& grid, Team& team) {
   const auto& lattice = setup.lattice;
   over_all_face_rows(lattice, grid.rows, team, [&](int c, std::ptrdiff_t first, int count, const auto&) {
-    for (std::ptrdiff_t f = first; f < first + count; ++f)
-      grid.soil_known[c][f] = grid.soil_mass[c][f] > 0 && !setup.walls.blocked(c, f);
+    const double* mass = grid.soil_mass[c].data() + first;
+    std::uint8_t* known = grid.soil_known[c].data() + first;
+    POLDER_INDEPENDENT
+    for (int i = 0; i < count; ++i) known[i] = mass[i] > 0;
+    for (int i = 0; setup.walls.any() && i < count; ++i) known[i] = known[i] && !setup.walls.blocked(c, first + i);
   });
   spread(lattice, setup.walls, grid.soil_known, setup.bodies.any() ? 2 : 1, grid.soil_velocity, grid, grid.layers,
          team);

@@ -8,6 +8,7 @@
 #include "polder/points/resample.hpp"
 #include "polder/step/body_contact.hpp"
 #include "polder/step/cavities.hpp"
+#include "polder/step/chunk_loop.hpp"
 #include "polder/step/face_predictor.hpp"
 #include "polder/step/far_field.hpp"
 #include "polder/step/films.hpp"
@@ -29,7 +30,6 @@ constexpr double surface_cfl = 0.1;  // of √(h/g): free surfaces are advanced 
 constexpr double viscous_cfl = 0.8;  // of the explicit limit of viscous stresses
 constexpr std::uint64_t resample_every = 10;
 constexpr std::ptrdiff_t cells_worth_a_team = 60000;  // of a system that two threads or more solve together
-constexpr std::size_t many_points = 100000;           // that do not fit the processor's caches
 
 /// Points that have passed an end of a periodic model come in at the other. Returns whether there are any.
 template <class Space, class Points>
@@ -151,7 +151,8 @@ void Stepper<Space>::resample() {
                                         setup.walls, setup.bodies);
   if (split > 0 || drift_water > largest_drift) {
     sort_water();
-    if (merge_water(setup.lattice, grid.cell_porosity, rules, water) > 0) sort_water();
+    if (merge_water(setup.lattice, grid.cell_porosity, rules, water) > 0)  // those that are left stay in order
+      tile_points(setup.lattice, water.home, water_tiling_);
   }
 }
 
