@@ -114,15 +114,17 @@ cairo_status_t append_bytes(void* target, const unsigned char* bytes, unsigned c
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// As libpng writes fastest, without its search for the best filter: a fifth of the time that cairo takes.
+/// As libpng writes fastest, without its search for the best filter: with cairo's own writing a picture takes three
+/// times as long, and a sixth less room.
 std::string encode_opaque(cairo_surface_t* surface) {
   cairo_surface_flush(surface);
   const int width = cairo_image_surface_get_width(surface), height = cairo_image_surface_get_height(surface);
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   std::vector<unsigned char> rgb(3 * count);
   unsigned char* to = rgb.data();
-  for (int row = 0; row < height; ++row) {
-    const unsigned char* from = cairo_image_surface_get_data(surface) + row * cairo_image_surface_get_stride(surface);
+  const unsigned char* line = cairo_image_surface_get_data(surface);
+  for (int row = 0; row < height; ++row, line += cairo_image_surface_get_stride(surface)) {
+    const unsigned char* from = line;
     for (int column = 0; column < width; ++column, from += 4) {
       std::uint32_t pixel;
       std::memcpy(&pixel, from, sizeof pixel);
