@@ -59,7 +59,36 @@ struct FaceConstants {
 
 constexpr int block = 8;
 
-/// Eight side by side between wet cells, no soil and no wall near.
+/// Most faces: eight side by side between wet cells of saturated soil, no wall near. As the loop of predict_faces()
+/// does it, without its cases: a quarter fewer instructions than predict_four().
+void predict_block(const FaceArrays& at, std::ptrdiff_t first, std::ptrdiff_t step, const FaceConstants& k) {
+  POLDER_INDEPENDENT
+  for (std::ptrdiff_t f = first; f < first + block; ++f) {
+    const double ms = at.soil_mass[f], mw = at.water_mass[f];
+    const double n = std::max(0.2, 1 - ms / k.full_of_grains);
+    double soil = at.soil[f] / ms;
+    at.soil_before[f] = soil;
+    double water = mw * k.inverse_volume > water_present * k.water_density ? at.water[f] / mw : soil;
+    at.water_before[f] = water;
+    soil = (soil + k.dt * at.force[f] / std::max(ms, force_floor * k.full_of_grains) - k.fall) * k.soil_kept;
+    water = (water - k.fall) * k.water_kept;
+    const double linear = 0.5 * (at.linear_drag[f - step] + at.linear_drag[f]);
+    const double quadratic = 0.5 * (at.quadratic_drag[f - step] + at.quadratic_drag[f]);
+    const double o = k.dt * n * n * (linear + quadratic * at.flux[f]) * k.inverse_volume;
+    const double Mw = n * k.water_density, Ms = ms * k.inverse_volume;
+    const double a = Mw + o, b = Ms + o, inverse = 1 / (Mw * Ms + o * (Mw + Ms));
+    const double rw = Mw * water, rs = Ms * soil, ew = k.dt * n, es = k.dt * (1 - n);
+    const double water_response = -(b * ew + o * es) * inverse, soil_response = -(a * es + o * ew) * inverse;
+    at.porosity[f] = n;
+    at.water[f] = (b * rw + o * rs) * inverse;
+    at.soil[f] = (a * rs + o * rw) * inverse;
+    at.water_response[f] = water_response;
+    at.soil_response[f] = soil_response;
+    at.mobility[f] = -(n * water_response + (1 - n) * soil_response);
+  }
+}
+
+/// Likewise eight side by side between wet cells, and no soil near.
 void predict_water_block(const FaceArrays& at, std::ptrdiff_t first, const FaceConstants& k) {
   const double least = water_present * k.water_density / k.inverse_volume, response = -k.dt / k.water_density;
   POLDER_INDEPENDENT
@@ -139,6 +168,12 @@ bool all_zero(const double* value) {
   double sum = 0;
   for (int i = 0; i < block; ++i) sum += std::abs(value[i]);
   return sum == 0;
+}
+
+bool all_above(const double* value, double bound) {
+  bool above = true;
+  for (int i = 0; i < block; ++i) above = above && value[i] > bound;
+  return above;
 }
 
 /// Pa s/m over m: the dashpots of absorbing sides beside a cell against motion along them, per volume.
@@ -247,24 +282,28 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
           const std::ptrdiff_t f = first + i, low = f - s;
           const int place = c == 0 ? at[0] + i : at[c];
           if (plain && i + 4 <= count && place > 0) {
-            const int run = i + block <= count ? block : 4, last = c == 0 ? place + run - 1 : place;
-            bool done = last < lattice.cells[c] && alone(f, run);
-            if (done) {
-              const std::uint64_t wet = eight(&grid.wet[f]), wet_below = eight(&grid.wet[low]);
-              const bool full = wet == eight_set && wet_below == eight_set, whole = run == block;
-              if (whole && full && all_zero(soil_mass + f))
+            const bool whole = i + block <= count;
+            const int run = whole ? block : 4, last = c == 0 ? place + run - 1 : place;
+            if (last < lattice.cells[c] && alone(f, run)) {
+              const std::uint64_t wet = eight(&grid.wet[f]), wet_below = eight(&grid.wet[low]),
+                                  either = wet | wet_below;
+              const bool full = whole && (wet & wet_below) == eight_set, boxed = free(place) && free(last);
+              bool done = true;
+              if (full && boxed && all_above(soil_mass + f, soil_present * constants.full_of_grains))
+                predict_block(arrays, f, s, constants);
+              else if (full && all_zero(soil_mass + f))
                 predict_water_block(arrays, f, constants);
-              else if (whole && (wet | wet_below) == 0 && all_zero(soil_mass + f) && all_zero(water_mass + f))
+              else if (whole && either == 0 && all_zero(soil_mass + f) && all_zero(water_mass + f))
                 clear_block(arrays, f);
-              else if (!free(place) || !free(last))
-                done = false;
-              else
+              else if (boxed)
                 for (int part = 0; part < run; part += 4) predict_four(arrays, f + part, s, constants);
-            }
-            if (done) {
-              for (int j = 0; j < run; ++j) reached[f + j] = grid.wet[low + j] | grid.wet[f + j];
-              i += run - 1;
-              continue;
+              else
+                done = false;
+              if (done) {
+                std::memcpy(reached + f, &either, static_cast<std::size_t>(run));
+                i += run - 1;
+                continue;
+              }
             }
           }
           const bool end = !joined && (place == 0 || place == lattice.cells[c]);
