@@ -13,6 +13,7 @@ namespace polder {
 namespace {
 
 constexpr double soil_present = 1e-6;      // share of a face full of grains below which it has no soil
+constexpr double least_solid = 1e-9;       // share of a cell below which grains in it are rounding
 constexpr double force_floor = 1e-4;       // least share of grains that an internal force is divided by
 constexpr double least_saturation = 0.25;  // of a face with one wet side
 
@@ -118,7 +119,8 @@ void predict_four(const FaceArrays& at, std::ptrdiff_t f, std::ptrdiff_t step, c
 
   const Vec4 solid_low = load4(at.solid_volume + f - step), solid_high = load4(at.solid_volume + f);
   const Vec4 in_wet = low * solid_low + high * solid_high, in_dry = solid_low + solid_high - in_wet;
-  const Vec4 ends = one_wet * max4(zero, one - in_dry / max4(in_wet, splat4(1e-300)));
+  const Vec4 least = splat4(least_solid / k.inverse_volume);
+  const Vec4 ends = in_wet > least ? one_wet * max4(zero, one - in_dry / max4(in_wet, least)) : zero;
   const Vec4 n_wet = low * load4(at.cell_porosity + f - step) + high * load4(at.cell_porosity + f);
   const Vec4 n_all = max4(splat4(0.2), one - ms / k.full_of_grains), n = n_all + ends * (n_wet - n_all);
   const Vec4 filled = min4(one, mw * k.inverse_volume / (k.water_density * n));
@@ -319,17 +321,18 @@ void predict_faces(const Setup<Space>& setup, const StepControl& control, double
               setup.bodies.any() ? std::max(0.05, 0.5 * (setup.bodies.open_cell(low) + setup.bodies.open_cell(f))) : 1;
           const double whole = metric.face_volume(c, i), volume = (end ? 0.5 * whole : whole) * open;
           const double solid = grid.solid_volume[low] + grid.solid_volume[f];
-          const double rho_s =
-              one_material || solid <= 0 ? rho_s0 : (grid.soil_cell_mass[low] + grid.soil_cell_mass[f]) / solid;
+          const double rho_s = one_material || solid <= least_solid * whole
+                                   ? rho_s0
+                                   : (grid.soil_cell_mass[low] + grid.soil_cell_mass[f]) / solid;
           const double full_of_grains = rho_s * volume;
           double n = std::max(0.2, 1 - soil_mass[f] / full_of_grains), ends = 0;
-          if (beside_wet && !both_wet && !wall && solid > 0) {
-            const std::ptrdiff_t wet = grid.wet[f] ? f : low;
+          const std::ptrdiff_t wet = grid.wet[f] ? f : low;
+          if (beside_wet && !both_wet && !wall && grid.solid_volume[wet] > least_solid * whole) {
             double other = solid - grid.solid_volume[wet];
             if constexpr (graded)
               other *= grid.wet[f] ? metric.volume(i) / metric.volume_below(c, i)
                                    : metric.volume_below(c, i) / metric.volume(i);
-            ends = std::max(0.0, 1 - other / std::max(grid.solid_volume[wet], 1e-300));
+            ends = std::max(0.0, 1 - other / grid.solid_volume[wet]);
             n += ends * (grid.cell_porosity[wet] - n);
           }
           porosity[f] = n;
