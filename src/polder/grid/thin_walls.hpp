@@ -52,8 +52,9 @@ class ThinWalls {
   bool blocked(int axis, std::ptrdiff_t face) const { return any_ && faces_[axis][face] != 0; }
   /// Whether none of `count` faces that follow each other along x is blocked.
   bool open(int axis, std::ptrdiff_t face, int count) const {
-    const std::uint8_t* kind = &faces_[axis][face];
-    return !any_ || std::all_of(kind, kind + count, [](std::uint8_t k) { return k == 0; });
+    if (!any_) return true;
+    const std::uint8_t* kind = faces_[axis].data() + face;
+    return std::all_of(kind, kind + count, [](std::uint8_t k) { return k == 0; });
   }
   /// The stencil of a cell beside a wall, or nullptr.
   const WallStencil<Space>* beside(std::ptrdiff_t cell) const {

@@ -25,8 +25,8 @@ struct Tiling {
   static constexpr int in_tile = width * width * (Space::axes == 3 ? width : 1);  ///< cells
   static constexpr int colours = 1 << Space::axes;
   std::array<std::vector<TileRange>, colours> by_colour;
-  std::vector<TileRange>
-      in_order;  ///< all points as they lie in memory, in ranges of whole tiles; not those of colours
+  /// All points as they lie in memory, in ranges of whole tiles; not those of the colours.
+  std::vector<TileRange> in_order;
 };
 
 /// Drift since the last sort, in cells, beyond which points must be sorted again.

@@ -9,10 +9,11 @@
 
 namespace polder {
 
-/// 0 or 1 on each face.
+/// 0, 1 or another mark on each face.
 template <class Space>
 using FaceFlags = std::array<AlignedVector<std::uint8_t>, static_cast<std::size_t>(Space::axes)>;
 
+/// The mark of a face on which a film runs, and of those that take its velocity alone.
 inline constexpr std::uint8_t film_face = 2;
 
 /// Where a field is known after one layer of extrapolation, and after two.
