@@ -1,6 +1,7 @@
 #pragma once
 // What predict_faces() does where no wall or body is near, several faces along x at once: all kinds of faces four at a
-// time, and the three kinds that most faces are eight at a time.
+// time, and the three kinds that most faces are eight at a time. As functions of their own: where they are inlined into
+// its loop, g++ 12 does not vectorise them.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -34,7 +35,8 @@ inline constexpr int block = 8;
 
 /// Most faces: eight side by side between wet cells of saturated soil, no wall near. As the loop of predict_faces()
 /// does it, without its cases: a quarter fewer instructions than predict_four().
-inline void predict_block(const FaceArrays& at, std::ptrdiff_t first, std::ptrdiff_t step, const FaceConstants& k) {
+[[gnu::noinline]] inline void predict_block(const FaceArrays& at, std::ptrdiff_t first, std::ptrdiff_t step,
+                                            const FaceConstants& k) {
   POLDER_INDEPENDENT
   for (std::ptrdiff_t f = first; f < first + block; ++f) {
     const double ms = at.soil_mass[f], mw = at.water_mass[f];
@@ -62,7 +64,7 @@ inline void predict_block(const FaceArrays& at, std::ptrdiff_t first, std::ptrdi
 }
 
 /// Likewise eight side by side between wet cells, and no soil near.
-inline void predict_water_block(const FaceArrays& at, std::ptrdiff_t first, const FaceConstants& k) {
+[[gnu::noinline]] inline void predict_water_block(const FaceArrays& at, std::ptrdiff_t first, const FaceConstants& k) {
   const double least = water_present * k.water_density / k.inverse_volume, response = -k.dt / k.water_density;
   POLDER_INDEPENDENT
   for (std::ptrdiff_t f = first; f < first + block; ++f) {
@@ -78,7 +80,8 @@ inline void predict_water_block(const FaceArrays& at, std::ptrdiff_t first, cons
 }
 
 /// Four side by side of any kind, no wall near: all cases of the loop in predict_faces() at once.
-inline void predict_four(const FaceArrays& at, std::ptrdiff_t f, std::ptrdiff_t step, const FaceConstants& k) {
+[[gnu::noinline]] inline void predict_four(const FaceArrays& at, std::ptrdiff_t f, std::ptrdiff_t step,
+                                           const FaceConstants& k) {
   const Vec4 zero = splat4(0), one = splat4(1);
   const auto flags = [&](std::ptrdiff_t cell) {
     const std::uint8_t* wet = at.wet + cell;
