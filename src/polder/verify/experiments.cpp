@@ -129,14 +129,15 @@ Experiment porous_block(const Model& model) {
 
 Experiment water_column(const Model& model) {
   struct Front {
-    std::vector<double> time, place;  // T = t √(2g/a), Z = x/a
+    std::vector<double> time, place;  // T = n t √(g/a), Z = x/a
     double width = 0, filled = 0, start = 0;
   };
   const auto front = std::make_shared<Front>();
   const Bounds column = bounds(model.free_water.at(0).region.polygon);
   front->width = column.high[0];
   front->start = area(model.free_water[0].region.polygon);
-  const double scale = std::sqrt(2 * model.gravity / front->width);
+  const double slenderness = column.high[1] / column.high[0];  // n², height by width
+  const double scale = std::sqrt(slenderness * model.gravity / front->width);
   // until the front meets the end of the tank
   const double last = model.size[0] / front->width - 0.5;
   Experiment experiment;
@@ -148,7 +149,7 @@ Experiment water_column(const Model& model) {
     for (const double f : state.grid.fill) filled += std::min(1.0, f);
     front->filled = filled * state.setup.lattice.cell_volume();
   };
-  experiment.finish = [front, last](Result& result) {
+  experiment.finish = [front, last, slenderness](Result& result) {
     result.rows.push_back(judged("loss of volume by cell fill", "end, share", "",
                                  std::abs(front->filled - front->start) / front->start, 0.005,
                                  "fills counted up to 1; aim 0.5 %"));
@@ -157,21 +158,21 @@ Experiment water_column(const Model& model) {
       result.trouble = absent;
       return;
     }
-    Chart chart{"Front of the column", "T = t √(2g/a)", "Z = x/a", "", "", {}, {}};
+    Chart chart{"Front of the column", "T = n t √(g/a)", "Z = x/a", "", "", {}, {}};
     chart.curves.push_back(thinned({"computed", front->time, front->place, false}, 400));
     struct Series {
       const char* file;
-      double width;  // of its column, m
+      double width, slenderness;  // of its column, m and n²
     };
-    constexpr Series list[] = {{"pysph_mm_data_1.csv", 0.028575},
-                               {"pysph_mm_data_2.csv", 0.05715},
-                               {"martinmoyce_surge_front_trixi.csv", 0.05715}};
-    for (const auto& [name, width] : list) {
-      if (std::abs(width / front->width - 1) > 0.01) continue;  // friction tells columns apart
-      const auto data = read_columns(*folder / name);
+    constexpr Series list[] = {{"pysph_mm_data_1.csv", 0.028575, 2},
+                               {"pysph_mm_data_2.csv", 0.05715, 2},
+                               {"martinmoyce_surge_front_trixi.csv", 0.05715, 1}};
+    for (const Series& series : list) {
+      // friction tells columns of one shape apart
+      if (std::abs(series.width / front->width - 1) > 0.01 || std::abs(series.slenderness / slenderness - 1) > 0.01)
+        continue;
+      const auto data = read_columns(*folder / series.file);
       std::vector<double> time = data[0], place = data[1];
-      if (std::string_view(name).starts_with("martinmoyce"))  // given over t √(g/a)
-        for (double& t : time) t *= std::sqrt(2.0);
       while (!place.empty() && place.back() > last) place.pop_back(), time.pop_back();
       // the gate takes a while to open: the shift in time that fits best is taken off first
       const auto error = [&](double shift, bool largest) {
@@ -186,11 +187,11 @@ Experiment water_column(const Model& model) {
       double best = 0;
       for (double shift = -0.5; shift <= 1; shift += 0.005)
         if (error(shift, false) < error(best, false)) best = shift;
-      result.rows.push_back(judged(fmt::format("largest error of the front, {}", name),
+      result.rows.push_back(judged(fmt::format("largest error of the front, {}", series.file),
                                    fmt::format("{} places, gate {:.2f} in T late", time.size(), best), "",
                                    error(best, true), 0.05, "Martin and Moyce (1952); aim 5 %"));
       for (double& t : time) t -= best;
-      chart.curves.push_back({name, time, place, true});
+      chart.curves.push_back({series.file, time, place, true});
     }
     result.figure = chart;
   };

@@ -26,6 +26,7 @@ constexpr Validation list[] = {
     {"porous-block-dry", of_liu, porous_block},
     {"water-column", of_martin, water_column},
     {"water-column-small", of_martin, water_column},
+    {"water-column-square", of_martin, water_column},
     {"granular-column-05", of_columns, nullptr},
     {"granular-column", of_columns, nullptr},
     {"granular-column-2", of_columns, nullptr},
