@@ -103,18 +103,23 @@ int check(const CheckOptions& options) {
   Json json{{"case", model.name}, {"file", model.file}, {"ok", result.ok()}};
   if (result.ok()) {
     const double step = estimated_step(model), time = computed_time(model);
+    const StepCount steps = estimated_steps(model);
+    const bool stretched = steps.at_rest < 0.9 * steps.moving;
     const auto drawings = draw(model, options);
     const PointCount points = count_points(model);
     const double count = static_cast<double>(points.soil + points.water);
     const double speed = point_steps_per_second * (model.space == SpaceKind::solid ? share_in_3d : 1);
-    const double wall = count * time / step / speed, memory = estimated_memory(model, count);
+    const double wall = count * steps.moving / speed, wall_at_rest = count * steps.at_rest / speed;
+    const double memory = estimated_memory(model, count);
     json.update({{"cells", cell_count(model)},
                  {"soil_points", points.soil},
                  {"water_points", points.water},
                  {"computed_time", time},
                  {"estimated_step", step},
-                 {"estimated_steps", time / step},
+                 {"estimated_steps", steps.moving},
+                 {"estimated_steps_at_rest", steps.at_rest},
                  {"estimated_wall_seconds", wall},
+                 {"estimated_wall_seconds_at_rest", wall_at_rest},
                  {"estimated_memory_bytes", memory}});
     json["drawings"] = drawings;
     if (!options.json) {
@@ -125,8 +130,11 @@ int check(const CheckOptions& options) {
                 << fmt::format("  points    {} of soil, {} of water\n", points.soil, points.water)
                 << fmt::format("  time      {:g} s in {} stage{}\n", time, model.stages.size(),
                                model.stages.size() == 1 ? "" : "s")
-                << fmt::format("  step      about {:.2g} s at the start, so {:.2g} steps\n", step, time / step);
-      std::cout << fmt::format("  cost      about {} on one core, {:.0f} MB\n", spoken(wall), memory / 1e6);
+                << fmt::format("  step      about {:.2g} s at the start, so {:.2g} steps{}\n", step, steps.moving,
+                               stretched ? fmt::format("; {:.2g} if the ground is at rest", steps.at_rest) : "")
+                << fmt::format("  cost      about {}{} on one core, {:.0f} MB\n",
+                               stretched ? fmt::format("{} (at rest) to ", spoken(wall_at_rest)) : "", spoken(wall),
+                               memory / 1e6);
       for (const std::string& file : drawings) std::cout << fmt::format("  drawing   {}\n", file);
     }
   }

@@ -293,6 +293,24 @@ TEST(Estimate, OfTheDikeIsItsDrainedPWave) {
   EXPECT_EQ(cell_count(model), 102u * 24u);
   // M = E (1 − ν) / ((1 + ν)(1 − 2ν)) = 1.0559 MPa, (1 − n) ρs = 1620 kg/m3, c = 25.53 m/s
   EXPECT_NEAR(estimated_step(model), 0.8 * 0.05 / 25.53, 2e-6);
+  const StepCount steps = estimated_steps(model);
+  EXPECT_NEAR(steps.moving, 24 / estimated_step(model), 1e-6 * steps.moving);
+  EXPECT_EQ(steps.at_rest, steps.moving);
+}
+
+TEST(Estimate, OfALongEventKnowsThatStepsGrowAtRest) {
+  const auto file = (source / "cases/levee-uplift/case.toml").string();
+  const Model model = read_case(file, {"numerics.step_stretch=1000", "numerics.mass_scaling=4"}).model;
+  const StepCount steps = estimated_steps(model);
+  double stretched = 0, whole = 0;  // s, of the stages with the model's own stretch and of all
+  for (const Stage& stage : model.stages) {
+    EXPECT_FALSE(stage.mass_scaling);
+    whole += stage.duration;
+    if (!stage.step_stretch) stretched += stage.duration;
+  }
+  EXPECT_GT(stretched, 0);
+  EXPECT_NEAR(steps.moving, whole / (2 * estimated_step(model)), 1e-6 * steps.moving);
+  EXPECT_LE(steps.at_rest, (whole - 0.999 * stretched) / (2 * estimated_step(model)) * (1 + 1e-9));
 }
 
 }  // namespace

@@ -31,4 +31,17 @@ double estimated_step(const Model& model) {
   return std::min(step, model.numerics.max_step);
 }
 
+StepCount estimated_steps(const Model& model) {
+  const double step = estimated_step(model);
+  StepCount count;
+  for (const Stage& stage : model.stages) {
+    const double scaling = stage.mass_scaling.value_or(model.numerics.mass_scaling);
+    const double stretch = stage.step_stretch.value_or(model.numerics.step_stretch);
+    const auto steps = [&](double factor) { return stage.duration / std::min(step * factor, model.numerics.max_step); };
+    count.moving += steps(std::sqrt(scaling));
+    count.at_rest += steps(std::sqrt(scaling) * stretch);
+  }
+  return count;
+}
+
 }  // namespace polder

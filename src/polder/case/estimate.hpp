@@ -13,4 +13,11 @@ std::size_t cell_count(const Model& model);
 /// √(M / ((1 − n) ρs)), and half a cell of a free fall from the top of the model where there is no soil.
 double estimated_step(const Model& model);
 
+/// Steps of a whole run, about, by the mass scaling of its stages.
+struct StepCount {
+  double moving = 0;   ///< if the ground moves all the time
+  double at_rest = 0;  ///< if it rests all the time: with `step_stretch`, fewer
+};
+StepCount estimated_steps(const Model& model);
+
 }  // namespace polder
