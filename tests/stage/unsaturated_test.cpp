@@ -120,6 +120,24 @@ head = {}
   EXPECT_LT(settlement(under->state()), 2e-3);
 }
 
+TEST(StandingWater, IsInTheStressByK0AtTheStart) {
+  const std::string pond = R"([[free_water]]
+box = [[0, 4], [0.5, 5.5]]
+)";
+  Simulation<PlaneStrain> run(read_text(column("5.5", pond, "2 s", "0.01 s")), 1);
+  const auto is_buoyant = [&](double share) {
+    const auto& points = run.state().soil;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      ASSERT_NEAR(points.stress[1][p], -0.6 * 1650 * 9.81 * (4 - points.position[1][p]), share * 0.6 * 1650 * 9.81 * 4)
+          << "y = " << points.position[1][p];
+  };
+  is_buoyant(1e-4);
+  const double level = run.state().soil.position[1][0];
+  for (int step = 0; step < 200; ++step) run.advance();
+  is_buoyant(0.01);
+  EXPECT_NEAR(run.state().soil.position[1][0], level, 1e-4);
+}
+
 TEST(StandingWater, OverASlopeThatIsUnderItAlreadyMovesNothing) {
   const auto slope = [](const std::string& head) {
     return R"(

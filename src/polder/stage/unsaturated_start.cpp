@@ -44,7 +44,10 @@ void set_unsaturated_k0_stress(const Model& model, const Setup<Space>& setup, So
     std::vector<std::size_t>& points = column.second;
     std::sort(points.begin(), points.end(),
               [&](std::size_t a, std::size_t b) { return soil.position[up][a] > soil.position[up][b]; });
-    double above = 0;  // total stress of whole layers above, Pa
+    // total stress of whole layers above, Pa; at first that of water over the ground
+    const std::size_t top = points.front();
+    double above =
+        std::max(0.0, pressure_at_start(setup, soil.position[0][top], upwards.ceiling(soil.position[up][top])));
     for (const std::size_t p : points) {
       const MaterialInput& material = model.materials[soil.material[p]];
       const double y = soil.position[up][p];
