@@ -215,5 +215,47 @@ TEST(SlopeStart, MovesNothingWhereWaterHasPointsOfItsOwn) {
   }
 }
 
+// Level ground has the stress of its columns: dry, with a water table in it, and under water, which the elements'
+// outline carries by itself.
+TEST(SlopeStart, OfLevelGroundIsThatOfColumns) {
+  const auto stress = [](const std::string& formulation, const std::string& by, const std::string& table) {
+    Simulation<PlaneStrain> run(read_text(fmt::format(R"(
+[model]
+size = ["2 m", "4 m"]
+cell = "0.25 m"
+formulation = "{}"
+[[material]]
+name = "sand"
+law = "linear-elastic"
+young_modulus = "20 MPa"
+poisson_ratio = 0.3
+grain_density = "2650 kg/m3"
+porosity = 0.4
+permeability = "1e-4 m/s"
+drag = "darcy"
+[[soil]]
+material = "sand"
+box = [["0 m", "0 m"], ["2 m", "2 m"]]
+[initial]
+stress = "{}"
+{}
+[[stage]]
+name = "rest"
+duration = "1 s"
+)",
+                                                      formulation, by, table)),
+                                1);
+    return run.state().soil.stress;
+  };
+  for (const char* formulation : {"double-point", "single-point", "unsaturated"})
+    for (const char* table : {"", "water_table = [[0, 1], [2, 1]]", "water_table = [[0, 3], [2, 3]]"}) {
+      const auto columns = stress(formulation, "k0", table), elements = stress(formulation, "k0-slope", table);
+      for (std::size_t s = 0; s < 3; ++s)
+        for (std::size_t p = 0; p < columns[s].size(); ++p)
+          ASSERT_NEAR(elements[s][p], columns[s][p], 0.01 * 0.6 * 2650 * 9.81 * 2)
+              << formulation << ", " << table << ", component " << s << ", point " << p;
+    }
+}
+
 }  // namespace
 }  // namespace polder

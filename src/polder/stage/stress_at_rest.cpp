@@ -18,6 +18,7 @@ namespace {
 
 constexpr double most_triangles = 20000;   // finer cells are not followed: stress at rest is smooth
 constexpr double least_confinement = 1e3;  // Pa
+constexpr double all_dry = -1e3;           // Pa, in a model without a water table
 
 /// As large as a cell, or as the ground allows.
 double mesh_size(const Model& model) {
@@ -27,10 +28,10 @@ double mesh_size(const Model& model) {
   return std::max({model.cell[0], model.cell[1], side});
 }
 
-/// Pa, where the ground is at rest; suction only where pores are unsaturated.
+/// Pa, where the ground is at rest. Where pores are full or empty, soil with a pressure below zero is dry.
 double pore_pressure_at(const Model& model, const Setup<PlaneStrain>& setup, const Point2& at) {
-  const double p = pressure_at_start(setup, at[0], at[1]);
-  return model.unsaturated ? p : std::max(p, 0.0);
+  if (!model.unsaturated && setup.water_table.empty()) return all_dry;
+  return pressure_at_start(setup, at[0], at[1]);
 }
 
 /// Mean confinement of each material by the stresses as they are, Pa.
@@ -60,24 +61,6 @@ FemMaterial elastic_at_rest(const Model& model, const Setup<PlaneStrain>& setup,
   return m;
 }
 
-/// What standing water presses on the outline where the ground is free to move.
-std::vector<FemLoad> water_loads(const Model& model, const Setup<PlaneStrain>& setup, const Mesh& mesh,
-                                 const std::vector<FemSupport>& supports) {
-  std::vector<FemLoad> loads;
-  const double near = 1e-4 * std::max(model.cell[0], model.cell[1]);
-  for (const MeshEdge& side : outline(mesh)) {
-    const Point2 &a = mesh.nodes[side.a], &b = mesh.nodes[side.b], &middle = mesh.nodes[side.middle];
-    const double p = pore_pressure_at(model, setup, middle);
-    if (p <= 0 || std::any_of(supports.begin(), supports.end(), [&](const FemSupport& support) {
-          return distance_to_segment(middle, support.line[0], support.line[1]) < near;
-        }))
-      continue;
-    const double length = std::hypot(b[0] - a[0], b[1] - a[1]);  // the soil lies to the left of a → b
-    loads.push_back({{a, b}, {-p * (b[1] - a[1]) / length, p * (b[0] - a[0]) / length}});
-  }
-  return loads;
-}
-
 /// Stress at a place in a triangle: linear between its three Gauss points, as the strains of quadratic triangles are.
 std::array<double, 4> stress_at(const FemSolver& solver, const FemState& state, const MeshLocator::Place& place) {
   Eigen::Matrix3d weights;
@@ -105,7 +88,6 @@ void set_sloping_k0_stress(const Model& model, const Setup<PlaneStrain>& setup, 
   problem.supports = ground_supports(model, mesh, 1e-4 * std::max(model.cell[0], model.cell[1]));
   if (problem.supports.empty())
     throw std::invalid_argument("initial.stress: nothing holds the ground; it touches no side of the model");
-  problem.loads = water_loads(model, setup, mesh, problem.supports);
   const FemSolver solver(std::move(problem));
 
   FemAction action;
