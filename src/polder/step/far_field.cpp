@@ -6,6 +6,7 @@
 
 #include "polder/points/tiles.hpp"
 #include "polder/step/soil_volume.hpp"
+#include "polder/step/unsaturated_step.hpp"
 
 namespace polder {
 
@@ -58,14 +59,16 @@ std::vector<OpenSide> far_sides(const Setup<Space>& setup) {
 }
 
 template <class Space>
-void know_far_field(const Setup<Space>& setup, const SoilPoints<Space>& soil, double gravity, GridFields<Space>& grid) {
+void know_far_field(const Setup<Space>& setup, const SoilPoints<Space>& soil, double gravity, bool first,
+                    GridFields<Space>& grid) {
   const auto& lattice = setup.lattice;
   const auto sides = far_sides(setup);
+  const bool still = first && !setup.water_table.empty();  // there was no step yet that computed pressures
   const auto ground = ground_beside(setup, sides, soil);
   const double rho = setup.water.density;
   for (const OpenSide& side : sides)
     over_side(lattice, side,
-              [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>&) {
+              [&](std::ptrdiff_t face, std::ptrdiff_t inside, std::ptrdiff_t outside, const std::array<int, 3>& cell) {
                 const Ground& g = ground.at(inside);
                 const double volume = 0.5 * lattice.cell_volume(inside);
                 const double n = std::clamp(grid.cell_porosity[inside], least_porosity, most_porosity);
@@ -73,7 +76,10 @@ void know_far_field(const Setup<Space>& setup, const SoilPoints<Space>& soil, do
                 grid.far_force[side.axis][face] = -grid.soil_force[side.axis][face];
                 if (side.axis == Space::up)
                   grid.far_force[side.axis][face] += gravity * (grid.soil_mass[side.axis][face] + water);
-                grid.far_pressure[outside] = grid.pressure[inside];
+                const std::array<double, 3> middle = lattice.centre(cell);
+                grid.far_pressure[outside] = still
+                                                 ? std::max(pressure_at_start(setup, middle[0], middle[Space::up]), 0.0)
+                                                 : grid.pressure[inside];
                 if (g.volume <= 0) return;
                 const double density = (g.mass + (grid.wet[inside] ? n * rho * g.volume : 0)) / g.volume;
                 const double pores = grid.wet[inside] ? setup.water.bulk_modulus / n : 0;
@@ -159,14 +165,14 @@ double far_work(const Setup<Space>& setup, const GridFields<Space>& grid, double
   return work;
 }
 
-#define POLDER_FAR_FIELD(Space)                                                                            \
-  template std::vector<OpenSide> far_sides(const Setup<Space>&);                                           \
-  template void know_far_field(const Setup<Space>&, const SoilPoints<Space>&, double, GridFields<Space>&); \
-  template void know_far_ground(const Setup<Space>&, const SoilPoints<Space>&, const PoreFields<Space>&,   \
-                                const std::function<double(int, std::ptrdiff_t)>&, GridFields<Space>&);    \
-  template double far_dashpot(const Setup<Space>&, const GridFields<Space>&, int, std::array<int, 3>);     \
-  template void prepare_far_field(const Setup<Space>&, GridFields<Space>&);                                \
-  template void close_far_field(const Setup<Space>&, GridFields<Space>&);                                  \
+#define POLDER_FAR_FIELD(Space)                                                                                  \
+  template std::vector<OpenSide> far_sides(const Setup<Space>&);                                                 \
+  template void know_far_field(const Setup<Space>&, const SoilPoints<Space>&, double, bool, GridFields<Space>&); \
+  template void know_far_ground(const Setup<Space>&, const SoilPoints<Space>&, const PoreFields<Space>&,         \
+                                const std::function<double(int, std::ptrdiff_t)>&, GridFields<Space>&);          \
+  template double far_dashpot(const Setup<Space>&, const GridFields<Space>&, int, std::array<int, 3>);           \
+  template void prepare_far_field(const Setup<Space>&, GridFields<Space>&);                                      \
+  template void close_far_field(const Setup<Space>&, GridFields<Space>&);                                        \
   template double far_work(const Setup<Space>&, const GridFields<Space>&, double);
 POLDER_FAR_FIELD(PlaneStrain)
 POLDER_FAR_FIELD(Solid)

@@ -17,10 +17,11 @@ namespace polder {
 template <class Space>
 std::vector<OpenSide> far_sides(const Setup<Space>& setup);
 
-/// In the first step of the event: what holds the sides at rest, and their impedances. After points_to_grid; needs the
-/// pressures of the last step.
+/// In the first step of the event: what holds the sides at rest, and their impedances. After points_to_grid. The
+/// pressures are those of the last step or, in the `first` step of a run, of still water under the water table.
 template <class Space>
-void know_far_field(const Setup<Space>& setup, const SoilPoints<Space>& soil, double gravity, GridFields<Space>& grid);
+void know_far_field(const Setup<Space>& setup, const SoilPoints<Space>& soil, double gravity, bool first,
+                    GridFields<Space>& grid);
 
 /// The same in the unsaturated formulation, where faces move with one velocity. `at_rest(axis, face)`: force on a face,
 /// N, along the axis. Needs the cells' volumes and storages.

@@ -232,7 +232,8 @@ StepReport Stepper<Space>::advance(const StepControl& control, double dt) {
   keep_cavities(setup, grid);
   if (!setup.open_sides.empty()) prepare_open_sides(setup, control.time, grid);
   const bool far_field = control.event && setup.any_absorbs();
-  if (far_field && grid.far_is_known == 0) know_far_field(setup, soil, setup.gravity * control.gravity_factor, grid);
+  if (far_field && grid.far_is_known == 0)
+    know_far_field(setup, soil, setup.gravity * control.gravity_factor, step == 0, grid);
   if (far_field) prepare_far_field(setup, grid);
   watch.lap(times.to_grid);
 
