@@ -6,6 +6,8 @@
 #include <memory>
 
 #include "case_text.hpp"
+#include "largest_displacement.hpp"
+#include "level_sand.hpp"
 #include "polder/stage/seepage_start.hpp"
 #include "polder/stage/simulation.hpp"
 
@@ -179,13 +181,6 @@ std::array<double, 2> apart(const SoilPoints<PlaneStrain>& soil, const SoilPoint
   return {difference[0] / size[0], difference[1] / size[1]};
 }
 
-double moved(const SoilPoints<PlaneStrain>& soil) {
-  double most = 0;
-  for (std::size_t p = 0; p < soil.size(); ++p)
-    for (int a = 0; a < 2; ++a) most = std::max(most, std::abs(soil.position[a][p] - soil.reference[a][p]));
-  return most;
-}
-
 TEST(SlopeStart, AgreesByK0ByGravityAndBySeepage) {
   const std::string table = "water_table = [[0, 1], [10, 1]]\n", at_rest = "stress = \"k0-slope\"\n";  // K0 = ν/(1 − ν)
   const auto k0 = slope(table + at_rest + "k0 = 0.42857", "");
@@ -199,7 +194,7 @@ TEST(SlopeStart, AgreesByK0ByGravityAndBySeepage) {
   EXPECT_LT(of_seepage[1], 0.03);
   EXPECT_LT(of_gravity[0], 0.03);
   EXPECT_LT(of_gravity[1], 0.03);
-  for (const auto* run : {&k0, &gravity, &seepage}) EXPECT_LT(moved((*run)->state().soil), 1e-4);
+  for (const auto* run : {&k0, &gravity, &seepage}) EXPECT_LT(largest_displacement((*run)->state().soil), 1e-4);
 }
 
 // The example of the guide, before its truck comes.
@@ -211,7 +206,7 @@ TEST(SlopeStart, MovesNothingWhereWaterHasPointsOfItsOwn) {
                               POLDER_SOURCE_DIR, formulation)),
         1);
     while (run.time() < 0.1) run.advance();
-    EXPECT_LT(moved(run.state().soil), 1e-4) << formulation;
+    EXPECT_LT(largest_displacement(run.state().soil), 1e-4) << formulation;
   }
 }
 
@@ -219,33 +214,7 @@ TEST(SlopeStart, MovesNothingWhereWaterHasPointsOfItsOwn) {
 // outline carries by itself.
 TEST(SlopeStart, OfLevelGroundIsThatOfColumns) {
   const auto stress = [](const std::string& formulation, const std::string& by, const std::string& table) {
-    Simulation<PlaneStrain> run(read_text(fmt::format(R"(
-[model]
-size = ["2 m", "4 m"]
-cell = "0.25 m"
-formulation = "{}"
-[[material]]
-name = "sand"
-law = "linear-elastic"
-young_modulus = "20 MPa"
-poisson_ratio = 0.3
-grain_density = "2650 kg/m3"
-porosity = 0.4
-permeability = "1e-4 m/s"
-drag = "darcy"
-[[soil]]
-material = "sand"
-box = [["0 m", "0 m"], ["2 m", "2 m"]]
-[initial]
-stress = "{}"
-{}
-[[stage]]
-name = "rest"
-duration = "1 s"
-)",
-                                                      formulation, by, table)),
-                                1);
-    return run.state().soil.stress;
+    return Simulation<PlaneStrain>(read_text(level_sand(formulation, by, table)), 1).state().soil.stress;
   };
   for (const char* formulation : {"double-point", "single-point", "unsaturated"})
     for (const char* table : {"", "water_table = [[0, 1], [2, 1]]", "water_table = [[0, 3], [2, 3]]"}) {
