@@ -9,6 +9,7 @@
 #include "polder/step/chunk_loop.hpp"
 #include "polder/step/face_loop.hpp"
 #include "polder/step/gather.hpp"
+#include "polder/step/groups.hpp"
 #include "polder/step/leave_body.hpp"
 #include "polder/step/soil_stress.hpp"
 #include "polder/step/wall_transfer.hpp"
@@ -16,9 +17,6 @@
 namespace polder {
 
 namespace {
-
-constexpr double porosity_relaxation = 0.02;  // per step, of a fluid point's porosity towards the grid's
-constexpr double porosity_mixing = 48;        // of a group's porosities, per unit of plastic shear strain
 
 /// Runs body(tile) over all ranges of tiles, which write to their own points only, and gathers the motion they report.
 template <class Space, class Body>
@@ -190,19 +188,6 @@ double grid_porosity(const Setup<Space>& setup, const GridFields<Space>& grid, c
   return n;
 }
 
-/// Runs take(point) and then body(begin, end) for every group of the points [first, first + count), counted from
-/// `first`.
-template <class Space, class Take, class Body>
-void over_groups(const SoilPoints<Space>& soil, std::size_t first, int count, Take&& take, Body&& body) {
-  const std::int32_t* home = soil.home.data() + first;
-  for (int begin = 0, end = 0; begin < count; begin = end) {
-    const std::int32_t own = home[begin];
-    do take(end++);
-    while (end < count && home[end] == own);
-    body(begin, end);
-  }
-}
-
 /// F-bar: the rate of volume change that each point is to follow, (1 − fbar) its own + fbar its group's mean.
 template <class Space>
 void share_dilation(double fbar, std::size_t first, int count, const VelocityGradients<Space>& gradients,
@@ -228,41 +213,7 @@ void share_dilation(double fbar, std::size_t first, int count, const VelocityGra
   });
 }
 
-/// Mixes the porosity of the points [first, last) of one group as they are sheared: the bulk volume that goes with a
-/// mass of grains approaches the group's mean by 1 − e^(−mixing Δε_d), Δε_d being the mean plastic shear strain of
-/// this step. Differences between points of one cell are below what the grid resolves, and nothing else ends their
-/// growth. Volume and mass of the group stay what they are; a group of several materials is left alone.
-template <class Space>
-void mix_porosity(const double* plastic_shear, std::size_t first, std::size_t last, SoilPoints<Space>& soil) {
-  double mass = 0, volume = 0, sheared = 0;
-  for (std::size_t p = first; p < last; ++p) {
-    if (soil.material[p] != soil.material[first]) return;
-    const double v = soil.mass[p] / (1 - soil.porosity[p]);
-    mass += soil.mass[p];
-    volume += v;
-    sheared += v * plastic_shear[p - first];
-  }
-  if (sheared == 0) return;
-  const double share = 1 - std::exp(-porosity_mixing * sheared / volume);
-  const double mean = volume / mass;
-  for (std::size_t p = first; p < last; ++p) {
-    const double own = 1 / (1 - soil.porosity[p]);
-    soil.porosity[p] = 1 - 1 / (own + share * (mean - own));
-  }
-}
-
-template <class Space>
-void mix_porosities(const double* plastic_shear, std::size_t first, int count, SoilPoints<Space>& soil) {
-  if (largest_magnitude(plastic_shear, count) == 0) return;
-  over_groups(
-      soil, first, count, [](int) {},
-      [&](int begin, int end) {
-        mix_porosity(plastic_shear + begin, first + static_cast<std::size_t>(begin),
-                     first + static_cast<std::size_t>(end), soil);
-      });
-}
-
-/// The porosity of points whose grains are out of contact follows the grid's.
+/// The porosity of points whose grains are out of contact follows the grid's where that is wet.
 template <class Space>
 void relax_porosities(const Setup<Space>& setup, const GridFields<Space>& grid, const std::ptrdiff_t* cell,
                       std::size_t first, int count, SoilPoints<Space>& soil) {
@@ -270,20 +221,9 @@ void relax_porosities(const Setup<Space>& setup, const GridFields<Space>& grid, 
   for (int l = 0; l < count; ++l) {
     const std::size_t p = first + static_cast<std::size_t>(l);
     if (!soil.fluid[p] || !grid.wet[cell[l]]) continue;
-    const double n_max = setup.materials[soil.material[p]].max_porosity;
-    const double target = std::clamp(grid_porosity(setup, grid, soil, p), n_max - 0.02, 0.95);
-    soil.porosity[p] += porosity_relaxation * (target - soil.porosity[p]);
+    soil.porosity[p] = relaxed_porosity(soil.porosity[p], grid_porosity(setup, grid, soil, p),
+                                        setup.materials[soil.material[p]].max_porosity);
   }
-}
-
-/// Number of points from `first` that make up whole groups and fit a chunk; a group too large for one is cut.
-template <class Space>
-int whole_groups(const SoilPoints<Space>& soil, std::size_t first, std::size_t end) {
-  const std::size_t room = std::min<std::size_t>(chunk_size, end - first);
-  if (first + room == end) return static_cast<int>(room);
-  std::size_t last = first + room;
-  while (last > first && soil.home[last - 1] == soil.home[last]) --last;
-  return static_cast<int>(last == first ? room : last - first);
 }
 
 template <std::size_t n>
