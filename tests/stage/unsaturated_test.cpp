@@ -113,6 +113,40 @@ head = {}
   EXPECT_LT(largest_displacement(under->state().soil), 2e-3);
 }
 
+TEST(StandingWater, LeavesTheStressOfTheGrainsAsItRisesThroughCells) {
+  // ground that ends a quarter up in a cell; whatever stands on it, grains weigh what they weigh under water
+  Simulation<PlaneStrain> run(read_text(R"(
+[model]
+formulation = "unsaturated"
+size = ["0.2 m", "1.2 m"]
+cell = "0.1 m"
+points_per_axis = 4
+[initial]
+water_table = [["0 m", "0.625 m"], ["0.2 m", "0.625 m"]]
+)" + soil("[[0, 0], [0.2, 0], [0.2, 0.625], [0, 0.625]]", R"(
+[[seepage_boundary]]
+name = "river"
+line = [["0 m", "0.625 m"], ["0.2 m", "0.625 m"]]
+head = [["0 s", "0.63 m"], ["10 s", "1 m"]]
+[[boundary]]
+side = "base"
+soil = "rough"
+[[stage]]
+name = "flood"
+duration = "10 s"
+local_damping = 0.7
+)")),
+                              1);
+  while (!run.finished()) {
+    run.advance();
+    if (run.time() < 0.5) continue;
+    const auto& points = run.state().soil;
+    for (std::size_t p = 0; p < points.size(); ++p)
+      ASSERT_NEAR(points.stress[1][p], -0.6 * 1650 * 9.81 * (0.625 - points.position[1][p]), 200)
+          << "t = " << run.time() << ", y = " << points.position[1][p];
+  }
+}
+
 TEST(StandingWater, IsInTheStressByK0AtTheStart) {
   const std::string pond = R"([[free_water]]
 box = [[0, 4], [0.5, 5.5]]

@@ -13,6 +13,7 @@ namespace polder {
 
 namespace {
 
+constexpr double film = 0.1;        // cells of water on the ground, over which its load comes
 constexpr int uneven_depth = 4;     // cells under the ground whose weights are not their own volume
 constexpr double least_top = 0.05;  // of a cell's volume: soil that makes it the uppermost of its column
 
@@ -259,17 +260,30 @@ bool set_standing_water(const Setup<Space>& setup, const std::vector<int>& groun
   const auto& lattice = setup.lattice;
   const GridAxis& upwards = lattice.axis[Space::up];
   const double weight = setup.water.density * gravity;
-  std::fill(pores.over_ground.begin(), pores.over_ground.end(), 0.0);
+  for (Array* field : {&pores.over_ground, &pores.over_side, &pores.over_face, &pores.flooded})
+    std::fill(field->begin(), field->end(), 0.0);
+  // up to `level` from the cell `first` on; the ground ends in the cell `last`
+  const auto stand = [&](std::ptrdiff_t lowest, int first, int last, double ground_height, double level) {
+    const double flooded = last < 0 ? 1 : std::min(1.0, (level - ground_height) / (film * upwards.width(last)));
+    for (int k = first; k < lattice.cells[Space::up] && (upwards.edge(k) < level || k <= last + 1); ++k) {
+      const std::ptrdiff_t cell = lowest + k * lattice.stride[Space::up];
+      if (setup.bodies.covered(cell)) continue;
+      const double base = upwards.edge(k), top = upwards.edge(k + 1), tall = upwards.width(k);
+      const double dry = k == last ? std::clamp(ground_height, base, top) : base;
+      const double filled = level >= top ? 1 : std::max(0.0, (level - dry) / (top - dry));
+      pores.over_ground[cell] = weight * std::max(0.0, level - upwards.centre(k));
+      pores.over_side[cell] = weight * (filled == 1 ? level - upwards.centre(k) : 0.5 * tall * filled * filled);
+      pores.over_face[cell] = weight * (level - base);
+      pores.flooded[cell] = flooded;
+    }
+  };
   bool any = false;
   over_columns(lattice, [&](std::size_t column, double x, std::ptrdiff_t lowest) {
     const SeepageCondition* given = ground[column] >= 0 ? &setup.pore_water[ground[column]] : nullptr;
     const bool head = given && given->kind == SeepageCondition::Kind::head;
     if (cover && cover->bare[column] > 0) {
       any = true;
-      for (int k = 0; k < lattice.cells[Space::up] && upwards.centre(k) < cover->bare[column]; ++k) {
-        const std::ptrdiff_t cell = lowest + k * lattice.stride[Space::up];
-        if (!setup.bodies.covered(cell)) pores.over_ground[cell] = weight * (cover->bare[column] - upwards.centre(k));
-      }
+      stand(lowest, 0, -1, 0, cover->bare[column]);
       return;
     }
     if (!head && (!cover || cover->pressure[column] <= 0)) return;
@@ -279,8 +293,7 @@ bool set_standing_water(const Setup<Space>& setup, const std::vector<int>& groun
     if (top.level < 0 || level <= top.height) return;
     if (setup.bodies.closed(Space::up, lowest + (top.level + 1) * lattice.stride[Space::up])) return;
     any = true;
-    for (int k = std::max(0, top.level - uneven_depth); k < lattice.cells[Space::up] && upwards.centre(k) < level; ++k)
-      pores.over_ground[lowest + k * lattice.stride[Space::up]] = weight * (level - upwards.centre(k));
+    stand(lowest, std::max(0, top.level - uneven_depth), top.level, top.height, level);
   });
   return any;
 }

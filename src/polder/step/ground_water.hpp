@@ -33,7 +33,8 @@ template <class Space>
 std::vector<PoreExit> pore_exits(const Setup<Space>& setup, const std::vector<int>& ground, double time, double dt,
                                  double gravity, const PoreFields<Space>& pores, const GroundCover* cover);
 
-/// Sets `pores.over_ground` at `time`; true if water stands anywhere. Needs the cells' volumes.
+/// Sets what `pores` has of water that stands on the ground (over_ground to flooded) at `time`; true if water stands
+/// anywhere. Needs the cells' volumes.
 template <class Space>
 bool set_standing_water(const Setup<Space>& setup, const std::vector<int>& ground, double time, double gravity,
                         PoreFields<Space>& pores, const GroundCover* cover);

@@ -59,33 +59,34 @@ double pressure_force(const Lattice<Space>& lattice, const PoreFields<Space>& po
 }
 
 /// Force on a face, N, along the axis, of still water that stands on the ground: what presses on either side in the
-/// room beside the soil, less that water's own weight. Nothing where there is no soil. What is left of the two under
-/// water is buoyancy, ρ_w g times the soil's volume; upwards it goes to the faces by the splines that the weight goes
-/// by, for a face at the surface has little of either.
+/// room beside the soil. Upwards the weight of the water in that room is taken off, which leaves the pressure at the
+/// face on the difference of the two rooms: summed over the faces of a column the load of the water, whatever its
+/// depth, and nothing where there is no soil. With the pressure of the pores it is buoyancy, ρ_w g times the soil's
+/// volume; that goes to the faces by the splines that the weight goes by, for a face at the surface has little of
+/// either.
 template <class Space>
 double standing_water_force(const Lattice<Space>& lattice, const PoreFields<Space>& pores, double weight, int axis,
                             std::ptrdiff_t face) {
   const std::ptrdiff_t low = face - lattice.stride[axis];
   const auto room = [&](std::ptrdiff_t cell) {
-    if (pores.over_ground[cell] == 0) return 0.0;
+    if (pores.flooded[cell] == 0) return 0.0;
     const std::array<int, 3> at = lattice.places(cell);
     const double full = full_weight(lattice, axis, at);
     const double held = (pores.bulk[cell] - pores.yielding[cell]) * (full / lattice.cell_volume(at));
     return full - pores.weight[axis][cell] - held;
   };
   const double below = room(low), above = room(face);
-  const double push = (below * pores.over_ground[low] - above * pores.over_ground[face]) / lattice.spacing[axis];
-  if (axis != Space::up) return push;
+  if (axis != Space::up) return (below * pores.over_side[low] - above * pores.over_side[face]) / lattice.spacing[axis];
+  const double push = pores.flooded[face] * pores.over_face[face] * (below - above) / lattice.spacing[axis];
+  if (pores.flooded[low] == 0) return push;
   const int place = lattice.place(face, axis);
   const double wide_below = relative_width(lattice, axis, place - 1), wide = relative_width(lattice, axis, place);
   const double volume = 0.5 * (pores.weight[axis][low] * wide_below + pores.weight[axis][face] * wide);
-  const bool submerged = pores.over_ground[low] > 0 && pores.over_ground[face] > 0;
   const double whole_below = lattice.cell_volume(low), whole = lattice.cell_volume(face);
   const bool deep =
       volume >= (1 - 1e-9) * 0.5 * (whole_below + whole) ||  // of different cells w_a is what balances stress
       (lattice.graded && pores.yielding[low] > 0.9 * whole_below && pores.yielding[face] > 0.9 * whole);
-  const double buoyant = submerged && !deep ? pores.face_bulk[face] - volume : 0;
-  return push + weight * (buoyant - 0.5 * (below * wide_below + above * wide));
+  return deep ? push : push + weight * pores.flooded[low] * (pores.face_bulk[face] - volume);
 }
 
 /// D of every cell by the faces' velocities, that of cells without soil added to their hosts'.
