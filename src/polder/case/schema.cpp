@@ -43,7 +43,7 @@ const std::vector<Section> sections = {
      "A well, a drain or a leaking pipe inside the soil: water is taken out, or put in, at a point or along a line, by "
      "a "
      "discharge or at a head."},
-    {"rain", true, false, "Water that falls on the ground and on free water, as points (double-point formulation)."},
+    {"rain", true, false, "Water that falls on the ground and on free water."},
     {"change", true, false,
      "What is done to the ground as a stage begins: soil in a polygon or a box is excavated, placed, or becomes "
      "another "

@@ -14,6 +14,8 @@
 #include "polder/stage/seepage_start.hpp"
 #include "polder/stage/sound.hpp"
 #include "polder/stage/stress_at_rest.hpp"
+#include "polder/step/ground_water.hpp"
+#include "polder/step/open_water.hpp"
 
 namespace polder {
 
@@ -28,6 +30,19 @@ void put_walls(const Model& model, const std::vector<bool>& stands, double time,
   setup.friction = friction_faces(model, setup.lattice, stands);
 }
 
+/// Free water on unsaturated ground, over the outline by which its step knows the ground: filled to the outline of the
+/// case, which passes between the points of the soil, it would begin with cells that are too full and others that are
+/// not full.
+template <class Space>
+WaterPoints<Space> water_over(const Setup<Space>& setup, const SoilPoints<Space>& soil, Model model) {
+  WallInput ground;
+  ground.polygon = ground_outline(setup, ground_heights(setup, soil));
+  if (!ground.polygon.empty()) model.walls.push_back(std::move(ground));
+  model.soils.clear();
+  model.unsaturated = false;  // the water's cells are cut as without pores
+  return seed_points<Space>(model, setup.lattice).water;
+}
+
 template <class Space>
 Stepper<Space> make_stepper(const Model& model, int threads) {
   Setup<Space> setup = make_setup<Space>(model);
@@ -38,6 +53,8 @@ Stepper<Space> make_stepper(const Model& model, int threads) {
   const double start = std::accumulate(model.stages.begin(), model.stages.end(), 0.0,
                                        [](double t, const Stage& s) { return s.initial ? t - s.duration : t; });
   put_walls(model, standing(model, 0, start), start, setup);
+  if (setup.unsaturated && Space::axes == 2 && !model.free_water.empty())
+    points.water = water_over(setup, points.soil, model);
   return Stepper<Space>(std::move(setup), std::move(points.soil), std::move(points.water), threads);
 }
 

@@ -56,8 +56,8 @@ double ground_at(const Lattice<Space>& lattice, const Array& ground, double x) {
   return other == own || way <= 0 || all <= 0 ? own_height : own_height + std::min(1.0, way / all) * rise;
 }
 
-/// The ground as a polygon, through the tops of the columns in their middles, with a step at thin walls and where it is
-/// upright; empty without any soil.
+}  // namespace
+
 template <class Space>
 std::vector<Point2> ground_outline(const Setup<Space>& setup, const Array& ground) {
   const auto& lattice = setup.lattice;
@@ -86,8 +86,6 @@ std::vector<Point2> ground_outline(const Setup<Space>& setup, const Array& groun
   outline.push_back({lattice.length(0) + far, -far});
   return outline;
 }
-
-}  // namespace
 
 template <class Space>
 bool OpenWater<Space>::wanted(const Setup<Space>& setup, const WaterPoints<Space>& water) {
@@ -230,6 +228,31 @@ void OpenWater<Space>::emit(std::size_t column) {
   inner_->points_changed();
 }
 
+/// Depth of the free water on column i up to the first gap, m. Cells under water count as full, whatever points happen
+/// to be in them: were the depth the volume over the column, what is missing in a cell would draw water out of the
+/// ground there, which drives more out of the cell. `bottom` is the height of the ground in the column's lowest open
+/// cell.
+template <class Space>
+double OpenWater<Space>::depth_over(std::size_t i, double bottom) const {
+  const auto& lattice = inner_->setup.lattice;
+  const GridAxis& upwards = lattice.axis[Space::up];
+  const Array& volume = inner_->grid.water_volume;
+  const double area = lattice.face_area(Space::up, surface_[i]);
+  const auto filled = [&](std::ptrdiff_t cell, int k) {
+    return volume[cell] / (area * upwards.width(k) * inner_->setup.bodies.own_share(cell));
+  };
+  double depth = 0;
+  std::ptrdiff_t cell = surface_[i];
+  for (int k = lattice.place(cell, Space::up); k < lattice.cells[Space::up] && volume[cell] > 0; ++k) {
+    const std::ptrdiff_t above = cell + lattice.stride[Space::up];
+    const double under_water = k + 1 < lattice.cells[Space::up] ? std::min(1.0, 2 * filled(above, k + 1)) : 0;
+    const double own = filled(cell, k), height = cell == surface_[i] ? upwards.edge(k + 1) - bottom : upwards.width(k);
+    depth += height * (own + under_water * (1 - own));
+    cell = above;
+  }
+  return depth;
+}
+
 /// What the ground is to see of the water: the pressure of its depth. That in its lowest cell would answer to what
 /// seeps by the inertia of all that stands above, and the two would drive each other up.
 template <class Space>
@@ -249,13 +272,15 @@ void OpenWater<Space>::set_cover(double gravity) {
     for (int k = level; k < lattice.cells[Space::up] && volume[above] > 0; ++k, above += rise)
       on_ground_[i] += volume[above];
     // the ground does not pay what water has run away with
-    const double held = std::max(0.0, on_ground_[i] + account_[i]);
-    cover.available[i] = held - wanted_by_air_[i];
-    const double depth = held / lattice.face_area(Space::up, cell);
+    cover.available[i] = std::max(0.0, on_ground_[i] + account_[i]) - wanted_by_air_[i];
+    const double bottom = ground_[i] >= 0
+                              ? ground_[i]
+                              : upwards.edge(level) + (1 - inner_->setup.bodies.own_share(cell)) * upwards.width(level);
+    const double depth = std::max(0.0, depth_over(i, bottom) + account_[i] / lattice.face_area(Space::up, cell));
     if (ground_[i] >= 0)
       cover.pressure[i] = weight * depth;
     else if (depth > 0)
-      cover.bare[i] = upwards.edge(level) + (1 - inner_->setup.bodies.own_share(cell)) * upwards.width(level) + depth;
+      cover.bare[i] = bottom + depth;
   }
 }
 
@@ -363,6 +388,8 @@ bool OpenWater<Space>::sound() const {
          std::all_of(ground_.begin(), ground_.end(), [&](double y) { return y >= -1 && y <= 2 * height; });
 }
 
+template std::vector<Point2> ground_outline(const Setup<PlaneStrain>&, const Array&);
+template std::vector<Point2> ground_outline(const Setup<Solid>&, const Array&);
 template class OpenWater<PlaneStrain>;
 template class OpenWater<Solid>;
 

@@ -18,6 +18,11 @@ namespace polder {
 template <class Space>
 class Stepper;
 
+/// The ground that free water sees, as a polygon through the tops of the columns (m, as by ground_heights()) in their
+/// middles, with a step at thin walls and where it is upright; empty without any soil.
+template <class Space>
+std::vector<Point2> ground_outline(const Setup<Space>& setup, const Array& heights);
+
 template <class Space>
 class OpenWater {
  public:
@@ -66,6 +71,7 @@ class OpenWater {
   void pay(const std::vector<std::ptrdiff_t>& cells, int aside, double share);
   double share_paid(double dt) const;
   void emit(std::size_t column);
+  double depth_over(std::size_t column, double bottom) const;
   void set_cover(double gravity);
 
   std::unique_ptr<Stepper<Space>> inner_;  // its points are those of the run while it steps

@@ -16,6 +16,7 @@ namespace polder {
 namespace {
 
 constexpr double thinnest_cube = 0.1;   // cells, half the edge of a water point's box
+constexpr double rim = 0.05;            // cells: half the box of water in a cell that a body cuts
 constexpr double thinnest_half = 0.02;  // likewise, where it is flattened
 constexpr double least_room = 1e-3;     // share of a cell that saturated soil leaves to free water
 
@@ -116,12 +117,14 @@ struct HalfEdges {
   std::array<const double*, static_cast<std::size_t>(Space::axes)> along;
 };
 
-/// add(cell index, share × content(point of the chunk)) for the cells that the points' boxes overlap. A cell that a
-/// body cuts keeps what is in it; beside thin walls boxes are cubes.
+/// add(cell index, share × content(point of the chunk)) for the cells that the points' boxes overlap. What is in a cell
+/// that a body cuts counts for that cell; within `rim` of its edges, if not 0, for both: where points change all of
+/// their content from one cell to the next as they cross, the volume correction sends them to and fro. Beside thin
+/// walls boxes are cubes.
 template <class Space, class Content, class Add>
 void over_boxes(const Setup<Space>& setup, const std::array<Array, Space::axes>& position, const PhaseBox& box,
                 std::size_t first, int count, const ChunkWeights<Space>& chunk, bool walled,
-                const HalfEdges<Space>& half_edges, Content content, Add add) {
+                const HalfEdges<Space>& half_edges, double rim_of_cut, Content content, Add add) {
   const auto& lattice = setup.lattice;
   if (!walled && !beside_bodies(setup.bodies, lattice, chunk, count)) {
     ChunkOverlap<Space> overlap;
@@ -135,19 +138,22 @@ void over_boxes(const Setup<Space>& setup, const std::array<Array, Space::axes>&
       add(setup.bodies.open_neighbour(cell), share * whole);
     };
     const std::ptrdiff_t own = cell_index(lattice, chunk, l);
-    if (setup.bodies.open_cell(own) < 1) {
+    const bool cut = setup.bodies.open_cell(own) < 1;
+    if (cut && rim_of_cut == 0) {
       add_share(own, 1);
       continue;
     }
-    std::array<double, 3> x{0, 0, 0};
-    for (int a = 0; a < Space::axes; ++a) x[a] = position[a][first + static_cast<std::size_t>(l)];
-    if (walled) {
-      over_seen_cells(setup.walls, lattice, x, cell_places(chunk, l), half_edges.cube[l], box.low, box.high, add_share);
-      continue;
+    const double most = cut ? rim_of_cut : 0.5;
+    std::array<double, 3> x{0, 0, 0}, halves{0, 0, 0};
+    for (int a = 0; a < Space::axes; ++a) {
+      x[a] = position[a][first + static_cast<std::size_t>(l)];
+      halves[a] = std::min(most, half_edges.along[a][l]);
     }
-    std::array<double, 3> halves{0, 0, 0};
-    for (int a = 0; a < Space::axes; ++a) halves[a] = half_edges.along[a][l];
-    BoxOverlap<Space>(lattice, x, halves, box.low, box.high).over_cells(lattice, add_share);
+    if (walled)
+      over_seen_cells(setup.walls, lattice, x, cell_places(chunk, l), std::min(most, half_edges.cube[l]), box.low,
+                      box.high, add_share);
+    else
+      BoxOverlap<Space>(lattice, x, halves, box.low, box.high).over_cells(lattice, add_share);
   }
 }
 
@@ -184,8 +190,8 @@ void carried_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, c
         return;
       }
       over_boxes(
-          setup, soil.position, setup.soil_box, first, count, chunk, walled, half_edges, [&](int l) { return what[l]; },
-          [&](std::ptrdiff_t cell, double part) { field[cell] += part; });
+          setup, soil.position, setup.soil_box, first, count, chunk, walled, half_edges, 0,
+          [&](int l) { return what[l]; }, [&](std::ptrdiff_t cell, double part) { field[cell] += part; });
     };
     share_out(water, grid.carried_volume);
     share_out(solid, grid.saturated_solid);
@@ -254,7 +260,7 @@ void soil_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, cons
     HalfEdges<Space> half_edges{content.half_edge, {}};
     half_edges.along.fill(content.half_edge);
     const auto share_out = [&](auto what, auto add) {
-      over_boxes(setup, soil.position, setup.soil_box, first, count, chunk, walled, half_edges, what, add);
+      over_boxes(setup, soil.position, setup.soil_box, first, count, chunk, walled, half_edges, 0, what, add);
     };
     const Vec4* horizontal = content.horizontal;
     share_out([horizontal](int l) { return horizontal[l]; },
@@ -361,7 +367,7 @@ void water_to_grid(const Setup<Space>& setup, const SoilPoints<Space>& soil, con
       half_edges.along[a] = elongated[a];
     }
     over_boxes(
-        setup, water.position, setup.water_box, first, count, chunk, walled, half_edges,
+        setup, water.position, setup.water_box, first, count, chunk, walled, half_edges, rim,
         [volume](int l) { return volume[l]; },
         [sums = grid.water_volume.data()](std::ptrdiff_t cell, double part) { sums[cell] += part; });
     over_components<Space>([&]<int c>() {
