@@ -16,6 +16,7 @@ namespace {
 
 constexpr double parcel = 0.125;      // × a nominal point: what dry ground gives at once
 constexpr double follows_by = 0.01;   // cells that the ground may move until the body follows
+constexpr int evening_passes = 20;    // of the levels of neighbouring columns
 constexpr double over_ground = 0.05;  // cells: where a new point begins
 
 /// The setup of the water alone: no soil, no wells, and rain falls through the accounts.
@@ -253,6 +254,30 @@ double OpenWater<Space>::depth_over(std::size_t i, double bottom) const {
   return depth;
 }
 
+/// Evens out the levels of columns whose water is joined, m, over some three of them to either side: points leave a
+/// surface rough by a fifth of a cell even where hardly anything moves, and weak soil crept under that. No depth
+/// changes by more than half. `bottom`: the ground; level[i] ≤ bottom[i] where there is no water.
+template <class Space>
+void OpenWater<Space>::level_out(const Array& bottom, Array& level) const {
+  const auto& lattice = inner_->setup.lattice;
+  const Array rough = level;
+  const auto joined = [&](std::size_t i) {  // to the column before it
+    const double ground = std::max(bottom[i - 1], bottom[i]);
+    if (rough[i - 1] <= ground || rough[i] <= ground) return false;
+    const int at = std::clamp(static_cast<int>(lattice.axis[Space::up].place(ground)), 0, lattice.cells[Space::up] - 1);
+    return !inner_->setup.walls.blocked(0, lattice.index(static_cast<int>(i), at));
+  };
+  Array flow(level.size() + 1, 0.0);  // across the low side of each column
+  for (int pass = 0; pass < evening_passes; ++pass) {
+    for (std::size_t i = 1; i < level.size(); ++i) flow[i] = joined(i) ? 0.25 * (level[i - 1] - level[i]) : 0;
+    for (std::size_t i = 0; i < level.size(); ++i) level[i] += flow[i] - flow[i + 1];
+  }
+  for (std::size_t i = 0; i < level.size(); ++i) {
+    const double depth = rough[i] - bottom[i];
+    if (depth > 0) level[i] = std::clamp(level[i], bottom[i] + 0.5 * depth, bottom[i] + 1.5 * depth);
+  }
+}
+
 /// What the ground is to see of the water: the pressure of its depth. That in its lowest cell would answer to what
 /// seeps by the inertia of all that stands above, and the two would drive each other up.
 template <class Space>
@@ -262,6 +287,8 @@ void OpenWater<Space>::set_cover(double gravity) {
   const double weight = inner_->setup.water.density * gravity;
   const std::ptrdiff_t rise = lattice.stride[Space::up];
   const GridAxis& upwards = lattice.axis[Space::up];
+  Array bottom = ground_;
+  Array top(account_.size(), -1.0);
   for (std::size_t i = 0; i < account_.size(); ++i) {
     cover.pressure[i] = cover.gained[i] = cover.available[i] = cover.bare[i] = on_ground_[i] = 0;
     const std::ptrdiff_t cell = surface_[i];
@@ -273,14 +300,17 @@ void OpenWater<Space>::set_cover(double gravity) {
       on_ground_[i] += volume[above];
     // the ground does not pay what water has run away with
     cover.available[i] = std::max(0.0, on_ground_[i] + account_[i]) - wanted_by_air_[i];
-    const double bottom = ground_[i] >= 0
-                              ? ground_[i]
-                              : upwards.edge(level) + (1 - inner_->setup.bodies.own_share(cell)) * upwards.width(level);
-    const double depth = std::max(0.0, depth_over(i, bottom) + account_[i] / lattice.face_area(Space::up, cell));
+    if (ground_[i] < 0)
+      bottom[i] = upwards.edge(level) + (1 - inner_->setup.bodies.own_share(cell)) * upwards.width(level);
+    top[i] = bottom[i] + depth_over(i, bottom[i]) + account_[i] / lattice.face_area(Space::up, cell);
+  }
+  level_out(bottom, top);
+  for (std::size_t i = 0; i < account_.size(); ++i) {
+    if (surface_[i] < 0 || top[i] <= bottom[i]) continue;
     if (ground_[i] >= 0)
-      cover.pressure[i] = weight * depth;
-    else if (depth > 0)
-      cover.bare[i] = bottom + depth;
+      cover.pressure[i] = weight * (top[i] - bottom[i]);
+    else
+      cover.bare[i] = top[i];
   }
 }
 

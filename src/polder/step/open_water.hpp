@@ -72,6 +72,7 @@ class OpenWater {
   double share_paid(double dt) const;
   void emit(std::size_t column);
   double depth_over(std::size_t column, double bottom) const;
+  void level_out(const Array& bottom, Array& level) const;
   void set_cover(double gravity);
 
   std::unique_ptr<Stepper<Space>> inner_;  // its points are those of the run while it steps
