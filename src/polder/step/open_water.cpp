@@ -261,15 +261,15 @@ template <class Space>
 void OpenWater<Space>::level_out(const Array& bottom, Array& level) const {
   const auto& lattice = inner_->setup.lattice;
   const Array rough = level;
-  const auto joined = [&](std::size_t i) {  // to the column before it
+  Array share(level.size() + 1, 0.0), flow = share;  // across the low side of each column, where its water is joined
+  for (std::size_t i = 1; i < level.size(); ++i) {
     const double ground = std::max(bottom[i - 1], bottom[i]);
-    if (rough[i - 1] <= ground || rough[i] <= ground) return false;
     const int at = std::clamp(static_cast<int>(lattice.axis[Space::up].place(ground)), 0, lattice.cells[Space::up] - 1);
-    return !inner_->setup.walls.blocked(0, lattice.index(static_cast<int>(i), at));
-  };
-  Array flow(level.size() + 1, 0.0);  // across the low side of each column
+    const bool joined = rough[i - 1] > ground && rough[i] > ground;
+    if (joined && !inner_->setup.walls.blocked(0, lattice.index(static_cast<int>(i), at))) share[i] = 0.25;
+  }
   for (int pass = 0; pass < evening_passes; ++pass) {
-    for (std::size_t i = 1; i < level.size(); ++i) flow[i] = joined(i) ? 0.25 * (level[i - 1] - level[i]) : 0;
+    for (std::size_t i = 1; i < level.size(); ++i) flow[i] = share[i] * (level[i - 1] - level[i]);
     for (std::size_t i = 0; i < level.size(); ++i) level[i] += flow[i] - flow[i + 1];
   }
   for (std::size_t i = 0; i < level.size(); ++i) {
