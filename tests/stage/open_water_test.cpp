@@ -226,7 +226,7 @@ TEST(OpenWater, StaysAtRestBesideABank) {
 }
 
 TEST(OpenWater, LeavesAGentleSlopeOfWeakSandInPlace) {
-  // points of sand in steps under water that is as high as the slope; nothing damps the water in the event
+  // its points lie in steps, and the water's level in the middle of a cell; nothing damps the water in the event
   const auto run = after(R"(
 [model]
 size = ["2.4 m", "1.2 m"]

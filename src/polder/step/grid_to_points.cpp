@@ -298,9 +298,7 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
     VelocityGradients<Space> gradients;
     double displacement[Space::axes][chunk_room], dilation[chunk_size], plastic_shear[chunk_size];
     std::ptrdiff_t cell[chunk_size];
-    for (std::size_t first = tile.first, end = first + tile.count; first < end;) {
-      const int count = whole_groups(soil, first, end);
-      const std::size_t next = first + static_cast<std::size_t>(count);
+    over_whole_groups(soil, tile, [&](std::size_t first, int count) {
       const Upcoming<Space> upcoming(lattice, soil.home, first, count);
       upcoming.ask_for_points(soil.position, soil.velocity, soil.affine, soil.stress, soil.mass, soil.porosity,
                               soil.deviatoric_strain, soil.state);
@@ -326,8 +324,7 @@ Motion grid_to_soil(const Setup<Space>& setup, double dt, const GridFields<Space
       update_soil(setup, dt, first, count, gradients, dilation, soil, plastic_shear);
       mix_porosities(plastic_shear, first, count, soil);
       relax_porosities(setup, grid, cell, first, count, soil);
-      first = next;
-    }
+    });
     motion.sound =
         all_finite(soil.velocity, tile) && all_finite(soil.stress, tile) &&
         all_within(soil.porosity.data() + tile.first, tile.count, possible_porosity[0], possible_porosity[1]);

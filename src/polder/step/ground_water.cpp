@@ -260,8 +260,7 @@ bool set_standing_water(const Setup<Space>& setup, const std::vector<int>& groun
   const auto& lattice = setup.lattice;
   const GridAxis& upwards = lattice.axis[Space::up];
   const double weight = setup.water.density * gravity;
-  for (Array* field : {&pores.over_ground, &pores.over_side, &pores.over_face, &pores.flooded})
-    std::fill(field->begin(), field->end(), 0.0);
+  for (Array* field : pores.standing_water()) std::fill(field->begin(), field->end(), 0.0);
   // up to `level` from the cell `first` on; the ground ends in the cell `last`
   const auto stand = [&](std::ptrdiff_t lowest, int first, int last, double ground_height, double level) {
     const double flooded = last < 0 ? 1 : std::min(1.0, (level - ground_height) / (film * upwards.width(last)));

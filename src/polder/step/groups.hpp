@@ -7,6 +7,7 @@
 
 #include "polder/math/simd.hpp"
 #include "polder/points/point_sets.hpp"
+#include "polder/points/tiles.hpp"
 #include "polder/step/chunk.hpp"
 
 namespace polder {
@@ -21,6 +22,17 @@ int whole_groups(const SoilPoints<Space>& soil, std::size_t first, std::size_t e
   std::size_t last = first + room;
   while (last > first && soil.home[last - 1] == soil.home[last]) --last;
   return static_cast<int>(last == first ? room : last - first);
+}
+
+/// Runs body(first point, count) over chunks of whole groups of a range.
+template <class Space, class Body>
+[[gnu::always_inline]] inline void over_whole_groups(const SoilPoints<Space>& soil, const TileRange& range,
+                                                     Body&& body) {
+  for (std::size_t first = range.first, end = first + range.count; first < end;) {
+    const int count = whole_groups(soil, first, end);
+    body(first, count);
+    first += static_cast<std::size_t>(count);
+  }
 }
 
 /// Runs take(point) and then body(begin, end) for every group of the points [first, first + count), counted from

@@ -50,6 +50,9 @@ struct PoreFields {
     for (auto& l : leader) l.assign(static_cast<std::size_t>(lattice.size), 0);
   }
 
+  /// What there is of water that stands on the ground.
+  std::array<Array*, 4> standing_water() { return {&over_ground, &over_side, &over_face, &flooded}; }
+
   // in cells; volumes in m³, per metre in plane strain
   Array sums;                       ///< the next three and the horizontal resistance side by side while points write
   Array bulk;                       ///< of the soil, by overlap of the points' boxes

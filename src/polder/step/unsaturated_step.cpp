@@ -349,8 +349,7 @@ SolveResult UnsaturatedStep<Space>::advance(const Setup<Space>& setup, const Ste
   pores.ratio_before = pores.ratio;
   const bool standing_water = set_standing_water(setup, ground_, control.time, down, pores, cover);
   if (standing_water)
-    for (Array* field : {&pores.over_ground, &pores.over_side, &pores.over_face, &pores.flooded})
-      join_ends(*field, setup.soil_box, setup.lattice);
+    for (Array* field : pores.standing_water()) join_ends(*field, setup.soil_box, setup.lattice);
   if (standing_water || setup.bodies.any()) bulk_to_faces(setup, soil, tiling, pores, team);
   if (control.event && setup.any_absorbs() && grid.far_is_known == 0)
     know_far_ground(

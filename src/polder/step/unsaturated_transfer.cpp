@@ -308,8 +308,6 @@ void correct_dilation(const Setup<Space>& setup, const Tiling<Space>& tiling, co
   });
 }
 
-}  // namespace
-
 /// Points whose grains are out of contact come back to the porosity of the grid where that is denser. Where a cell is
 /// not full, at a surface, the grid says more than there is.
 template <class Space>
@@ -326,6 +324,8 @@ void relax_porosities(const Setup<Space>& setup, const PoreFields<Space>& pores,
   }
 }
 
+}  // namespace
+
 template <class Space>
 Motion strain_points(const Setup<Space>& setup, double dt, const GridFields<Space>& grid, const Tiling<Space>& tiling,
                      SoilPoints<Space>& soil, PoreFields<Space>& pores, Team& team) {
@@ -335,21 +335,19 @@ Motion strain_points(const Setup<Space>& setup, double dt, const GridFields<Spac
   Motion motion = gather_rates(setup, grid, tiling, soil, pores, team);
   for (int pass = 0; pass < dilation_passes; ++pass) correct_dilation(setup, tiling, soil, pores, team);
   over_ranges(tiling.in_order, team, [&](const TileRange& range) {
-    for (std::size_t first = range.first, end = first + range.count; first < end;) {
-      const int count = whole_groups(soil, first, end);
+    over_whole_groups(soil, range, [&](std::size_t first, int count) {
       VelocityGradients<Space> gradients;
       for (int c = 0; c < Space::axes; ++c)
         for (int a = 0; a < Space::axes; ++a)
           std::copy_n(pores.gradient[c * Space::axes + a].data() + first, count, gradients.at[c][a]);
-      const std::size_t next = first + static_cast<std::size_t>(count);
-      for (std::size_t p = first; p < next; ++p) pores.pore_volume[p] = soil.porosity[p] * pores.volume[p];
+      for (std::size_t p = first; p < first + static_cast<std::size_t>(count); ++p)
+        pores.pore_volume[p] = soil.porosity[p] * pores.volume[p];
       double plastic_shear[chunk_size];
       update_soil(setup, dt, first, count, gradients, pores.dilation.data() + first, soil, plastic_shear);
       mix_porosities(plastic_shear, first, count, soil);
       relax_porosities(setup, pores, first, count, soil);
       set_volumes(setup, soil, first, count, pores);
-      first = next;
-    }
+    });
   });
   motion.drift = motion.speed * dt;
   return motion;
